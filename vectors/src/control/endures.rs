@@ -12,23 +12,16 @@ pub(super) fn cases() -> Vec<Case> {
     rounds.chain(between_ticks()).collect()
 }
 
-/// Frames of which a thousand come between two ticks: the newest before them, or behind them.
+/// Frames of which a thousand come between two ticks: behind the newest, or before it.
 fn between_ticks() -> [Case; 2] {
     const MANY: i64 = 1_100;
-    let table: [(&str, &str, fn(i64) -> i64); 2] =
-        [("older", "behind it", |_| 2), ("newer", "before it", |nth| 4 + nth)];
-    table.map(|(name, words, seq)| {
-        let mut steps = vec![inside(2, FIRST), moves(FIRST)];
-        let newest = |seq| elsewhere(seq, FIRST + 0.125);
-        let others = (0..MANY).map(|nth| inside(seq(nth), FIRST + 0.125));
-        if name == "older" {
-            steps.push(newest(3));
-            steps.extend(others);
-        } else {
-            steps.extend(others);
-            steps.push(newest(4 + MANY));
-        }
-        steps.push(moves_by(&[-0.25, 0.0, 0.0], FIRST + 0.125));
+    let at = FIRST + 0.125;
+    let newest = |seq| vec![elsewhere(seq, at)];
+    let older = [newest(3), (0..MANY).map(|_| inside(2, at)).collect()].concat();
+    let newer = [(3..3 + MANY).map(|seq| inside(seq, at)).collect(), newest(3 + MANY)].concat();
+    [("older", "behind it", older), ("newer", "before it", newer)].map(|(name, words, frames)| {
+        let before = vec![inside(2, FIRST), moves(FIRST)];
+        let steps = [before, frames, vec![moves_by(&[-0.25, 0.0, 0.0], at)]].concat();
         let limits = object! { "geofence_radius_m" => num(5.0) };
         run(format!("endures/between-ticks/{name}"), &["NCP-CTRL-011"], 50.0, limits, steps)
             .title(format!("The loop acts on the newest frame, however many others come {words} before the tick."))
