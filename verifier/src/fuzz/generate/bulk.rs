@@ -232,8 +232,12 @@ pub(super) fn unpack(draw: &mut Draw<'_>) -> Tree {
         let (one, alike) = (draw.below(columns.len()), draw.chance(70));
         columns[one].0 = if alike { unlike(&columns[one].0, draw) } else { draw.string() };
     }
+    if draw.chance(25) {
+        // What nobody looks for, which a decoder reads all the same.
+        columns.push((draw.pick(&["more", "x", "weights"]).to_owned(), draw.one(&[2, 4]), rows));
+    }
     let mut bytes = block(&columns, draw);
-    if draw.chance(20) {
+    if draw.chance(30) {
         broken(&mut bytes, columns.len(), draw);
     }
     object([("block", base64(&bytes))])

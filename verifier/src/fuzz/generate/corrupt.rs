@@ -171,6 +171,8 @@ fn respelled(spelling: &str, draw: &mut Draw<'_>) -> String {
 pub(super) fn digits(draw: &mut Draw<'_>) -> String {
     let count = match draw.below(3) {
         0 if draw.chance(20) => 4250 + draw.below(1000),
+        // More than readers count of an exponent.
+        0 if draw.chance(10) => draw.one(&[19_990, 20_010, 65_530, 100_000]) + draw.below(30),
         0 => draw.size(15, 1100),
         _ => draw.one(&[17, 19, 40, 307, 308, 309, 310, 320, 350, 400, 1000]) + draw.below(30),
     };
@@ -524,7 +526,9 @@ fn wrong_text(mut bytes: Vec<u8>, draw: &mut Draw<'_>) -> Vec<u8> {
         }
         3 => {
             let what = draw.pick(&["x", "{}", ",", "\u{0}", "\u{feff}", "\u{a0}", "null", "]", " {}"]);
-            bytes.extend_from_slice(what.as_bytes());
+            // Or the beginning of a character.
+            let begun: &[u8] = draw.one(&[&b"\xc3"[..], b"\xe2\x82", b"\xf0\x9f\x98", b" \xc3"]);
+            bytes.extend_from_slice(if draw.chance(30) { begun } else { what.as_bytes() });
         }
         4 => insert(&mut bytes, 0, draw.pick(&["x", "[", "\u{a0}", "\u{c}", ",", "//\n"]).as_bytes()),
         5 => {

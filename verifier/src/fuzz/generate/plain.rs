@@ -52,7 +52,10 @@ fn hash(draw: &mut Draw<'_>) -> Option<String> {
         3 => Some(CONTRACT_HASH.to_uppercase()),
         4 => {
             let mut hash = CONTRACT_HASH.to_owned();
-            match draw.below(6) {
+            match draw.below(8) {
+                // Up to where some texts end.
+                6 => hash.push_str(draw.pick(&["\0", "\0x", "\0\0", "\0-dirty"])),
+                7 => hash.push_str(draw.pick(&[" ", "\n", "-dirty", "+", ".0", "\u{a0}"])),
                 4 => hash.insert(0, '0'),
                 5 => hash.insert_str(0, "0x"),
                 0 => hash.push('0'),
@@ -310,9 +313,20 @@ pub(super) fn plane(menu: &Menu, draw: &mut Draw<'_>) -> Option<Tree> {
 
 /// The arguments of `horizon.max_len`.
 pub(super) fn horizon(draw: &mut Draw<'_>) -> Tree {
-    let dt = if draw.chance(80) { draw.positive() } else { draw.double() };
+    let is_decimal = draw.chance(25);
+    let dt = match is_decimal {
+        true => draw.range(1, 999) as f64 / 10.0,
+        false if draw.chance(80) => draw.positive(),
+        false => draw.double(),
+    };
     draw.note(dt);
     let ttl = match draw.below(4) {
+        // Next to a whole number of ticks, by more than one rounding and less than many.
+        _ if is_decimal => {
+            let beside = draw.one(&[0.0, 1e-15, 4e-15, 1e-14, 1e-13, 1e-12]);
+            let beside = if draw.chance(50) { -beside } else { beside };
+            dt * draw.range(1, 4096) as f64 * (1.0 + beside)
+        }
         0 => dt * draw.range(0, 5000) as f64,
         1 => {
             let count = draw.range(1, 4097) as f64;
@@ -328,7 +342,24 @@ pub(super) fn horizon(draw: &mut Draw<'_>) -> Tree {
 mod tests {
     use super::*;
     use crate::fuzz::harvest::Harvest;
-    use crate::fuzz::tree::string;
+    use crate::fuzz::tree::{double, string};
+
+    #[test]
+    fn a_hash_goes_on_behind_where_some_texts_end_and_a_ttl_lies_next_to_a_whole_number_of_ticks() {
+        let harvest = Harvest::default();
+        let (mut behind, mut beside) = (0, 0);
+        for number in 0..2000 {
+            let mut draw = Draw::new(3, number, &harvest);
+            let negotiated = negotiate(&mut draw);
+            let hash = string(&negotiated, "contract_hash").unwrap_or_default();
+            behind += usize::from(hash.strip_prefix(CONTRACT_HASH).is_some_and(|rest| rest.starts_with('\0')));
+            let length = horizon(&mut draw);
+            let ticks = double(length.get("ttl_ms")).unwrap_or(0.0) / double(length.get("dt_ms")).unwrap_or(1.0);
+            let off = (ticks - ticks.round()).abs() / ticks;
+            beside += usize::from((1e-15..2e-12).contains(&off) && ticks < 4097.0);
+        }
+        assert!(behind > 20 && beside > 100, "{behind} {beside}");
+    }
 
     #[test]
     fn a_character_that_means_something_elsewhere_stands_beside_a_wildcard_and_another_in_the_key() {

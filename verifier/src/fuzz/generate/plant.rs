@@ -254,9 +254,14 @@ fn odd_frame(frame: &Tree, draw: &mut Draw<'_>) -> Tree {
             format!("{{\"x\":{padding},{}{bad}}}", &written[1..written.len() - 1])
         }
         7 => {
-            let depth = if draw.chance(50) { draw.one(&[10, 63, 64, 100]) } else { draw.size(1, 600) };
+            let depth = if draw.chance(50) { draw.one(&[10, 63, 64, 100]) } else { draw.size(1, 5000) };
             set(&mut frame, "mode", text("estop"));
-            let written = frame.to_string();
+            let mut written = frame.to_string();
+            // Taken back at the end, which a reader that counts levels might not come to.
+            if draw.chance(30) {
+                let back = draw.pick(&["\"mode\":\"active\"", "\"kind\":\"link_status\"", "\"mode\":\"hold\""]);
+                written = format!("{},{back}}}", &written[..written.len() - 1]);
+            }
             let before = draw.pick(&["\\\"", "]", "\\\\", "}"]);
             format!("{{\"y\":\"{before}[\",\"x\":{}{},{}", "[".repeat(depth), "]".repeat(depth), &written[1..])
         }

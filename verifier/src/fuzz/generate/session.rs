@@ -64,9 +64,11 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     };
     let size_of: Vec<(&str, usize)> = sizes.clone();
     let targets: Vec<&str> = sizes.iter().map(|(name, _)| *name).collect();
+    // Of neurons of which some are driven, some spike.
+    let all = draw.one(&[60, 60, 10]);
     let ids = |neurons: usize, may_be_all: bool, draw: &mut Draw<'_>| {
         let most = if draw.chance(10) { 80 } else { 8 };
-        let count = if neurons == 0 || may_be_all && draw.chance(60) { 0 } else { draw.size(1, neurons.min(most)) };
+        let count = if neurons == 0 || may_be_all && draw.chance(all) { 0 } else { draw.size(1, neurons.min(most)) };
         // Once: what a neuron that is named twice gives, nobody says.
         let mut ids: Vec<usize> =
             (0..count).map(|_| if draw.chance(20) { neurons } else { 1 + draw.below(neurons) }).collect();

@@ -1,8 +1,8 @@
 //! Where within a frame something stands: deep, far behind, at the end of much, or just at the limit of sizes.
 
-use super::{Draw, Tree, frame_at};
+use super::{Draw, Tree, frame_at, value};
 use crate::fuzz::generate::corrupt::digits;
-use crate::fuzz::tree::{Step, at, at_mut, int, list, literal, name_at, object, places, text};
+use crate::fuzz::tree::{Step, at, at_mut, int, list, literal, name_at, object, own, places, text};
 use crate::json::Json;
 
 /// What a reader has to notice wherever it stands, or to pass wherever it stands: as text of a frame.
@@ -34,6 +34,13 @@ pub(super) fn buried(frame: &str, draw: &mut Draw<'_>) -> (String, usize) {
     let mut leaf = draw.pick(&LEAVES).to_owned();
     if draw.chance(15) {
         leaf = digits(draw);
+    } else if draw.chance(15)
+        && let Ok(own_frame) = Json::parse(frame)
+    {
+        // A frame of the same kind that says something else.
+        let mut other = own(&own_frame);
+        (0..4).for_each(|_| value(&mut other, draw));
+        leaf = other.to_string();
     }
     // As deep as a frame may be, and its own levels around.
     let levels = draw.one(&[0, 0, 1, 2, 8, 31, 32, 60, 61, 62, 63, 64, 65, 100, 129, 500]);
@@ -58,7 +65,12 @@ pub(super) fn buried(frame: &str, draw: &mut Draw<'_>) -> (String, usize) {
         6 => format!("\"x0\":[{}],", vec!["[]"; pairs].join(",")),
         2 => format!("\"x0\":[{}],", vec!["1"; size / 2 + 1].join(",")),
         3 => format!("\"x0\":\"{}\",", "w".repeat(size)),
-        4 => format!("\"x0\":\"{}\",", "\\u0041".repeat(size / 6)),
+        4 if draw.chance(50) => format!("\"x0\":\"{}\",", "\\u0041".repeat(size / 6)),
+        // Escapes of which a border may cut one in two, and brackets behind them.
+        4 => {
+            let (shift, unit) = ("w".repeat(draw.below(2)), draw.pick(&["\\\"", "\\\\"]));
+            format!("\"x0\":\"{shift}{}{}\",", unit.repeat(size / 2), "[".repeat(70))
+        }
         _ => format!("{}\"x0\":{{}},", " ".repeat(size)),
     };
     let member = format!("{before}\"x1\":{deep}");
