@@ -85,9 +85,7 @@ impl Court {
         };
         Ok(suite.cases().iter().zip(asked).map(judge).collect())
     }
-}
 
-impl Court {
     /// The same, but for questions of which no file can hold the expectation: these have no judgement.
     ///
     /// # Errors

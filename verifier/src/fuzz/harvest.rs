@@ -155,7 +155,7 @@ fn is_in_the_text(word: &str) -> bool {
 }
 
 /// The identifiers of a source that stand between no quotes: they name parts of the program, and data rarely.
-fn unquoted(text: &str) -> impl Iterator<Item = String> {
+fn unquoted(text: &str) -> BTreeSet<String> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let mut quoted = false;
     let tokens = text.split_inclusive(move |c| !is_part(c)).filter_map(move |token| {
@@ -166,7 +166,7 @@ fn unquoted(text: &str) -> impl Iterator<Item = String> {
         let after = std::mem::replace(&mut quoted, matches!(end, Some('"' | '\'' | '`')));
         (!after && !quoted && !name.is_empty()).then(|| name.to_owned())
     });
-    tokens.collect::<BTreeSet<_>>().into_iter()
+    tokens.collect()
 }
 
 fn unreadable(path: &Path, source: std::io::Error) -> HarvestError {
