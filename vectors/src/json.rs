@@ -309,9 +309,9 @@ fn is_of_number(c: char) -> bool {
 }
 
 /// What fits on one line of a file.
-const LINE: usize = 120;
+const LINE: usize = 160;
 /// A list of more items that are all short is written on one line, however long it becomes.
-const LONG_LIST: usize = 64;
+const LONG_LIST: usize = 16;
 /// What is short.
 const SHORT: usize = 64;
 

@@ -115,15 +115,46 @@ impl Case {
         self
     }
 
+    /// The same result, in which each double of a channel's `data` is the one that is expected, bit for bit: the sign
+    /// of a zero as well.
+    pub(crate) fn with_signs(mut self) -> Self {
+        self.expect = by_bits(self.expect, false);
+        self
+    }
+
     /// A result of this pattern, or a refusal of the whole call.
     pub(crate) fn shows_or_refuses(self, pattern: Json) -> Self {
         self.shows(pattern).or_rejects()
     }
 }
 
+/// A pattern in which the items of each `data` are doubles by their bits.
+fn by_bits(pattern: Json, is_data: bool) -> Json {
+    match pattern {
+        Json::Array(items) if is_data => items.into_iter().map(|item| object! { "$double" => item }).collect(),
+        Json::Array(items) => items.into_iter().map(|item| by_bits(item, false)).collect(),
+        Json::Object(members) => {
+            let of = |(name, value): (String, Json)| {
+                let value = by_bits(value, name == "data");
+                (name, value)
+            };
+            Json::Object(members.into_iter().map(of).collect())
+        }
+        other => other,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn by_bits_stand_the_items_of_data_and_nothing_else() {
+        let pattern = Json::read(r#"{"t":1.0,"channels":{"a":{"data":[0.0,"-0"],"unit":"m"}},"horizon":[[1.0]]}"#);
+        let channels = r#"{"a":{"data":[{"$double":0.0},{"$double":"-0"}],"unit":"m"}}"#;
+        let expected = format!(r#"{{"t":1.0,"channels":{channels},"horizon":[[1.0]]}}"#);
+        assert_eq!(by_bits(pattern, false).text(), expected);
+    }
 
     #[test]
     fn a_double_reads_back_or_has_a_name() {

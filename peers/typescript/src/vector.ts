@@ -54,13 +54,18 @@ export function limited(vector: Float64Array, limit: number): Float64Array {
   }
 }
 
+/** With what each addition loses kept beside the sum: of many small squares behind a great one each would be lost. */
 function sumOfSquares(of: ArrayLike<number>, scale: number): number {
   let sum = 0;
+  let lost = 0;
   for (let n = 0; n < of.length; n++) {
     const component = of[n]! * scale;
-    sum += component * component;
+    const square = component * component;
+    const next = sum + square;
+    lost += sum >= square ? sum - next + square : square - next + sum;
+    sum = next;
   }
-  return sum;
+  return Number.isFinite(sum) ? sum + lost : sum;
 }
 
 /** Between these, a sum of squares has lost nothing that counts to an underflow or an overflow. */

@@ -74,6 +74,14 @@ test("only an active command comes out of the governor with anything but zeros",
   }
 });
 
+test("a channel is scaled by all of its components, also by many that are each lost beside a great one", () => {
+  const [great, small, many] = [1, 1.04e-8, 90_000];
+  const scaled = limited(Float64Array.from({ length: many + 1 }, (_, n) => (n === 0 ? great : small)), 0.5);
+  // The norm before is 1 + many * small^2 / 2, but for what its square is of that.
+  const expected = 0.5 / (1 + (many * small * small) / 2);
+  assert.ok(Math.abs(scaled[0]! / expected - 1) < 1e-12, `${scaled[0]} is not ${expected}`);
+});
+
 test("an ESTOP is latched until a reset, and a reset brings no fail-closed governor back", () => {
   const governor = new SafetyGovernor({ max_speed_mps: -1 });
   const modeOf = (mode: Mode): string => governor.govern(moving([0, 0, 0], { mode }), 10, null, 10).mode;

@@ -290,34 +290,11 @@ fn name_bytes() -> Vec<Case> {
 
 /// What is wrong with the last of four columns, of which the first three are all that an observation has.
 fn behind_an_observation() -> Vec<Case> {
-    let columns = [f64s("times", [0.5]), f64s("values", [1.5]), i64s("senders", [7]), f64s("more", [2.5])];
-    let block = Block::new(columns);
-    let name_at = block.names.last().copied().unwrap_or_default();
-    let table = [
-        ("utf-8", "NCP-BULK-010", "invalid-utf8", "has a name that is not UTF-8", block.patched(name_at, b"\xff")),
-        ("dtype", "NCP-BULK-007", "unchecked-header", "has the dtype 9", block.entry(3, Part::Dtype, 9)),
-        (
-            "name",
-            "NCP-BULK-009",
-            "unchecked-header",
-            "has a name beyond the end",
-            block.entry(3, Part::NameOff, block.len),
-        ),
-        (
-            "data",
-            "NCP-BULK-011",
-            "unchecked-header",
-            "has data beyond the end",
-            block.entry(3, Part::DataOff, block.len),
-        ),
-    ];
-    let case = |(what, rule, flag, says, bytes): (&str, &'static str, &'static str, &str, Vec<u8>)| {
-        rejected(format!("behind-an-observation/{what}"), &[rule], &bytes)
-            .title(format!("A block whose last column, behind times, values and senders, {says} is rejected."))
-            .flags(&[flag])
-            .because("What a decoder has to see of one column it has to see of each.")
-    };
-    table.map(case).into()
+    let block = Block::new([f64s("times", [0.5]), f64s("values", [1.5]), i64s("senders", [7]), f64s("more", [2.5])]);
+    wrong_last(&block)
+        .into_iter()
+        .map(|wrong| wrong.case("behind-an-observation", "last column, behind times, values and senders,"))
+        .collect()
 }
 
 /// A character of two bytes, of which each of two names that lie side by side has one.
@@ -335,42 +312,60 @@ fn divided_name() -> Case {
 fn last_of_many() -> Vec<Case> {
     let mut cases = Vec::new();
     for count in [65, 300] {
-        let columns: Vec<_> = (0..count).map(|nth| f32s(&format!("c{nth:03}"), [1.5])).collect();
-        let block = Block::new(columns);
-        let last = count - 1;
-        let name_at = block.names.last().copied().unwrap_or_default();
+        let block = Block::new((0..count).map(|nth| f32s(&format!("c{nth:03}"), [1.5])).collect::<Vec<_>>());
         let first_data = block.data.first().copied().unwrap_or_default();
-        let table = [
-            ("dtype", "NCP-BULK-007", "unchecked-header", "has the dtype 9", block.entry(last, Part::Dtype, 9)),
-            ("utf-8", "NCP-BULK-010", "invalid-utf8", "has a name that is not UTF-8", block.patched(name_at, b"\xff")),
-            (
-                "name",
-                "NCP-BULK-009",
-                "unchecked-header",
-                "has a name beyond the end",
-                block.entry(last, Part::NameOff, block.len),
-            ),
-            (
-                "data",
-                "NCP-BULK-011",
-                "unchecked-header",
-                "has data beyond the end",
-                block.entry(last, Part::DataOff, block.len),
-            ),
-            (
-                "overlap",
-                "NCP-BULK-012",
-                "overlapping-regions",
-                "shares its data with the first",
-                block.entry(last, Part::DataOff, first_data),
-            ),
-        ];
-        cases.extend(table.into_iter().map(|(what, rule, flag, says, bytes)| {
-            rejected(format!("last-of-{count}/{what}"), &[rule], &bytes)
-                .title(format!("A block whose last column of {count} {says} is rejected."))
-                .flags(&[flag])
-                .because("What a decoder has to see of one column it has to see of each.")
-        }));
+        let overlap = Wrong {
+            what: "overlap",
+            rule: "NCP-BULK-012",
+            flag: "overlapping-regions",
+            says: "shares its data with the first",
+            bytes: block.entry(count - 1, Part::DataOff, first_data),
+        };
+        let wrong = wrong_last(&block).into_iter().chain([overlap]);
+        cases.extend(wrong.map(|wrong| wrong.case(&format!("last-of-{count}"), &format!("last column of {count}"))));
     }
     cases
+}
+
+/// A block in which one column is wrong.
+struct Wrong {
+    what: &'static str,
+    rule: &'static str,
+    flag: &'static str,
+    says: &'static str,
+    bytes: Vec<u8>,
+}
+
+impl Wrong {
+    fn case(self, path: &str, column: &str) -> Case {
+        rejected(format!("{path}/{}", self.what), &[self.rule], &self.bytes)
+            .title(format!("A block whose {column} {} is rejected.", self.says))
+            .flags(&[self.flag])
+            .because("What a decoder has to see of one column it has to see of each.")
+    }
+}
+
+/// A block, with what may be wrong with its last column whatever the others are.
+fn wrong_last(block: &Block) -> [Wrong; 4] {
+    let last = block.names.len() - 1;
+    let name_at = block.names.last().copied().unwrap_or_default();
+    let wrong = |what, rule, flag, says, bytes| Wrong { what, rule, flag, says, bytes };
+    [
+        wrong("dtype", "NCP-BULK-007", "unchecked-header", "has the dtype 9", block.entry(last, Part::Dtype, 9)),
+        wrong("utf-8", "NCP-BULK-010", "invalid-utf8", "has a name that is not UTF-8", block.patched(name_at, b"\xff")),
+        wrong(
+            "name",
+            "NCP-BULK-009",
+            "unchecked-header",
+            "has a name beyond the end",
+            block.entry(last, Part::NameOff, block.len),
+        ),
+        wrong(
+            "data",
+            "NCP-BULK-011",
+            "unchecked-header",
+            "has data beyond the end",
+            block.entry(last, Part::DataOff, block.len),
+        ),
+    ]
 }

@@ -456,6 +456,25 @@ fn mappings() -> Vec<Case> {
             channels(vec![("x", [vec![0.0; 4095], vec![0.5]].concat())]),
         ),
     ];
+    let wide: Vec<f64> = (0..=1024).map(|nth| if [256, 1024].contains(&nth) { -0.5 } else { 0.0 }).collect();
+    let powers = [mapping("x", 256, "q"), mapping("x", 1024, "q")];
+    let beside = [mapping("y", 0, "p")];
+    let table = table.into_iter().chain([
+        (
+            "powers-then-another",
+            "NCP-CODEC-003",
+            "The components 256 and 1,024 of a channel are none of the next one",
+            [&powers[..], &beside].concat(),
+            channels(vec![("x", wide.clone()), ("y", vec![0.5])]),
+        ),
+        (
+            "powers-behind-another",
+            "NCP-CODEC-003",
+            "The components 256 and 1,024 of a channel are none of the one before",
+            [&beside[..], &powers].concat(),
+            channels(vec![("x", wide), ("y", vec![0.5])]),
+        ),
+    ]);
     for (name, rule, words, mappings, expected) in table {
         cases.push(
             case(format!("mapping/{name}"), &[rule], codec(&[], &mappings), &[("p", 150.0), ("q", 50.0)])

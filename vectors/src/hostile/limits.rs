@@ -39,6 +39,7 @@ pub(super) fn file() -> File {
     cases.extend(long_strings());
     cases.extend(long_names());
     cases.extend(alike_in_all_places());
+    cases.extend(of_one_checksum());
     cases.extend(long_enums());
 
     let about = "Frames at a limit, which are read, and frames beyond it, which are rejected.";
@@ -320,6 +321,10 @@ fn larger_and_broken() -> Vec<Case> {
     table.map(case).into()
 }
 
+/// A kind of frame, and the size of one that has to be read in pieces.
+const IN_PIECES: [(&str, usize); 3] =
+    [("command_frame", 200_000), ("sensor_frame", 900_000), ("observation_frame", 5 * MIB)];
+
 /// Characters of which one lies across each border of the pieces that a reader may cut a frame into: their widths are
 /// multiples of 3, and no power of 2 or 10 is one. Where widths are mixed, one lies across many of the borders.
 fn across_pieces() -> Vec<Case> {
@@ -330,21 +335,13 @@ fn across_pieces() -> Vec<Case> {
         ("all-widths", "\u{1f600}\u{20ac}\u{e9}", "characters of four, three and two bytes"),
     ];
     let mut cases = Vec::new();
-    for (kind, size) in [("command_frame", 200_000), ("sensor_frame", 900_000), ("observation_frame", 5 * MIB)] {
+    for (kind, size) in IN_PIECES {
         for (what, unit, says) in table {
-            let frame = explicit(kind).text();
-            let mut before = format!("{},\"pad\":\"", frame.strip_suffix('}').unwrap_or(&frame));
-            // Behind a whole number of units, counted from the beginning of the frame.
-            before.push_str(&"x".repeat(before.len().next_multiple_of(unit.len()) - before.len()));
-            let times = (size - before.len()) / unit.len();
-            let text = Text::concat([before.into(), Text::repeat(unit, times), "\"}".into()]);
             let rules: &[_] = if size > MIB { &["NCP-WIRE-063", "NCP-WIRE-034"] } else { &["NCP-WIRE-034"] };
+            // Behind a whole number of units, counted from the beginning of the frame.
             cases.push(
-                Case::new(format!("{kind}/across-pieces/{what}"), rules, readers(kind))
+                in_pieces((kind, size), what, rules, unit, 0, "\"}")
                     .title(format!("{} of about {size} bytes, most of them {says}, is read.", a(kind)))
-                    .flags(&["low-limits"])
-                    .decode(kind, text)
-                    .means(meaning(kind, &explicit(kind)).text())
                     .because("By what pieces a receiver reads a frame makes no difference."),
             );
         }
@@ -356,30 +353,42 @@ fn across_pieces() -> Vec<Case> {
 /// at odd places; and brackets behind them that are within strings.
 fn escapes_across_pieces() -> Vec<Case> {
     let table = [("quotes", "\\\"", "escaped quotes"), ("backslashes", "\\\\", "escaped backslashes")];
+    let brackets = "[".repeat(LEVELS + 6);
+    let behind = format!("{brackets}\",\"more\":\"{brackets}\"}}");
     let mut cases = Vec::new();
-    for (kind, size) in [("command_frame", 200_000), ("sensor_frame", 900_000), ("observation_frame", 5 * MIB)] {
+    for (kind, size) in IN_PIECES {
         for (what, unit, says) in table {
-            let frame = explicit(kind).text();
-            let mut before = format!("{},\"pad\":\"", frame.strip_suffix('}').unwrap_or(&frame));
-            before.push_str(if before.len().is_multiple_of(2) { "x" } else { "" });
-            let times = (size - before.len()) / unit.len();
-            let brackets = "[".repeat(LEVELS + 6);
-            let behind = format!("{brackets}\",\"more\":\"{brackets}\"}}");
-            let text = Text::concat([before.into(), Text::repeat(unit, times), behind.into()]);
             cases.push(
-                Case::new(format!("{kind}/across-pieces/{what}"), &["NCP-WIRE-065", "NCP-WIRE-034"], readers(kind))
+                in_pieces((kind, size), what, &["NCP-WIRE-065", "NCP-WIRE-034"], unit, 1, &behind)
                     .title(format!(
                         "{} of about {size} bytes, most of them {says}, and with brackets in its strings is read.",
                         a(kind)
                     ))
-                    .flags(&["low-limits"])
-                    .decode(kind, text)
-                    .means(meaning(kind, &explicit(kind)).text())
                     .because("Brackets within a string are no levels, by what pieces ever a receiver reads a frame."),
             );
         }
     }
     cases
+}
+
+/// A frame whose unknown member is one unit again and again: each begins so many bytes behind a multiple of its length.
+fn in_pieces(
+    (kind, size): (&str, usize),
+    what: &str,
+    rules: &[&'static str],
+    unit: &str,
+    offset: usize,
+    behind: &str,
+) -> Case {
+    let frame = explicit(kind).text();
+    let mut before = format!("{},\"pad\":\"", frame.strip_suffix('}').unwrap_or(&frame));
+    let from = (before.len() - offset).next_multiple_of(unit.len()) + offset;
+    before.push_str(&"x".repeat(from - before.len()));
+    let times = (size - before.len()) / unit.len();
+    Case::new(format!("{kind}/across-pieces/{what}"), rules, readers(kind))
+        .flags(&["low-limits"])
+        .decode(kind, Text::concat([before.into(), Text::repeat(unit, times), behind.into()]))
+        .means(meaning(kind, &explicit(kind)).text())
 }
 
 fn too_large(kind: &str, what: &str, text: Text) -> Case {
@@ -1004,6 +1013,54 @@ fn long_names() -> Vec<Case> {
 
 /// As many names as a name has letters, and one, each of which differs from all others in one place or in two.
 fn alike_in_all_places() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for base in ["arm_joint_01_position_setpoint", &"left_arm_upper_joint_".repeat(4)] {
+        let with_mark = |place| {
+            let marked = |(at, letter)| if at == place { '~' } else { letter };
+            base.char_indices().map(marked).collect::<String>()
+        };
+        let names: Vec<String> = (0..=base.len()).map(with_mark).collect();
+        let (name, says) = (format!("alike-in-all-{}-places", base.len()), "that differ in a place or two");
+        cases.extend(with_names(
+            &name,
+            &names,
+            says,
+            "Two names that differ in a letter are two names, wherever it stands.",
+        ));
+    }
+    cases
+}
+
+/// Pairs of names of which a usual checksum or hash is the same: CRC-32 and its variant of Castagnoli, Adler-32, FNV-1
+/// and FNV-1a, the products by 31 and by 33, and others, each of 32 bits.
+const COLLIDING: [[&str; 2]; 12] = [
+    ["Aa", "BB"],
+    ["hztkwpo", "t2w87d9"],
+    ["kay62fh", "9eqgvan"],
+    ["6i5nfxi", "6kwnh6i"],
+    ["a71uvek", "3ehzu6g"],
+    ["pfd5q9a", "htpibo6"],
+    ["sg3welo", "okqd0qj"],
+    ["e01w3kz", "40vcv3o"],
+    ["6hwq09s", "2nkdck6"],
+    ["ny0832h", "dxjl5i6"],
+    ["30boei0", "ntkbpid"],
+    ["e2uf3h9", "21ogzzt"],
+];
+
+/// Names that who compares by a checksum takes for one.
+fn of_one_checksum() -> Vec<Case> {
+    let names = COLLIDING.concat().iter().map(ToString::to_string).collect::<Vec<_>>();
+    with_names(
+        "of-one-checksum",
+        &names,
+        "of which two at a time have the same checksum",
+        "Names are the same letter for letter, and not by what is made of them.",
+    )
+}
+
+/// A frame of each of some kinds, with a map, or an object that nobody reads, of these names.
+fn with_names(name: &str, names: &[String], says: &str, why: &str) -> Vec<Case> {
     let value = explicit_message("ChannelValue").text();
     let table: [(&str, &[&str], &str); 4] = [
         ("sensor_frame", &["channels"], &value),
@@ -1011,36 +1068,26 @@ fn alike_in_all_places() -> Vec<Case> {
         ("open_session", &["network", "population_sizes"], "1"),
         ("close_session", &["novel"], "1"),
     ];
-    let mut cases = Vec::new();
-    for (kind, path, value) in table {
-        for base in ["arm_joint_01_position_setpoint", &"left_arm_upper_joint_".repeat(4)] {
-            let with_mark = |place| {
-                let marked = |(at, letter)| if at == place { '~' } else { letter };
-                format!("\"{}\":{value}", base.char_indices().map(marked).collect::<String>())
-            };
-            let entries: Vec<String> = (0..=base.len()).map(with_mark).collect();
-            let count = entries.len();
-            let with_all = Json::literal(format!("{{{}}}", entries.join(",")));
-            let is_listed = path != ["novel"];
-            let frame =
-                if is_listed { set(explicit(kind), path, with_all) } else { explicit(kind).with("novel", with_all) };
-            let means = if is_listed { frame.text() } else { meaning(kind, &explicit(kind)).text() };
-            let member = path.join(".").replace(".0", "[0]");
-            cases.push(
-                Case::new(
-                    format!("{kind}/strings/alike-in-all-{}-places/{}", base.len(), path.join("-")),
-                    &[if is_listed { "NCP-WIRE-068" } else { "NCP-WIRE-026" }, "NCP-WIRE-007"],
-                    readers(kind),
-                )
-                .title(format!("{} is read whose `{member}` has {count} names that differ in a place or two.", a(kind)))
-                .flags(&["low-limits"])
-                .decode(kind, frame.text())
-                .means(means)
-                .because("Two names that differ in a letter are two names, wherever it stands."),
-            );
-        }
-    }
-    cases
+    let case = |(kind, path, value): (&str, &[&str], &str)| {
+        let entries: Vec<String> = names.iter().map(|name| format!("\"{name}\":{value}")).collect();
+        let with_all = Json::literal(format!("{{{}}}", entries.join(",")));
+        let is_listed = path != ["novel"];
+        let frame =
+            if is_listed { set(explicit(kind), path, with_all) } else { explicit(kind).with("novel", with_all) };
+        let means = if is_listed { frame.text() } else { meaning(kind, &explicit(kind)).text() };
+        let member = path.join(".").replace(".0", "[0]");
+        Case::new(
+            format!("{kind}/strings/{name}/{}", path.join("-")),
+            &[if is_listed { "NCP-WIRE-068" } else { "NCP-WIRE-026" }, "NCP-WIRE-007"],
+            readers(kind),
+        )
+        .title(format!("{} is read whose `{member}` has {} names {says}.", a(kind), names.len()))
+        .flags(&["low-limits"])
+        .decode(kind, frame.text())
+        .means(means)
+        .because(why)
+    };
+    table.into_iter().map(case).collect()
 }
 
 /// Strings of descriptive enums that are none of theirs and long.

@@ -12,7 +12,8 @@ pub(super) fn files() -> Result<Vec<File>, ScenarioError> {
     text.end()?;
     let built = builders.iter().flat_map(Builder::built).collect();
     let segments = builders.iter().flat_map(Builder::segments);
-    let segments = segments.chain(builders.iter().flat_map(Builder::realm_as_segment)).collect();
+    let segments = segments.chain(builders.iter().flat_map(Builder::realm_as_segment));
+    let segments = segments.chain(builders.iter().map(Builder::placeholders)).collect();
     // Between them every role builds these.
     let some = builders.iter().filter(|builder| matches!(builder.key, "rpc" | "sensor" | "fleet_glob"));
     let mut realms: Vec<Case> = some.flat_map(Builder::realms).collect();
@@ -168,6 +169,20 @@ impl Builder {
             }));
         }
         cases
+    }
+
+    /// Parts that look like places in a template: each stands in the key as it is, whatever the others are.
+    fn placeholders(&self) -> Case {
+        const ALL: &str = "{id}-{session}-{session_id}-{name}-{realm}-{rest}-{0}-{1}-{}-%s-%1-%(id)s-:id-<id>-\\1";
+        let realm = format!("{ALL}/{{id}}");
+        let (session, name) = (ALL.replace("{id}", "{realm}"), ALL.replace("{name}", "{id}"));
+        let name = self.takes_name.then_some(name.as_str());
+        self.case("placeholders", &["NCP-KEY-020"])
+            .title(format!("The `{}` key is built of parts that look like places in a template.", self.key))
+            .flags(&["changed-segments"])
+            .call("key.build", self.args(Some(&realm), &session, name))
+            .gives(object! { "key" => self.expected(Some(&realm), &session, name) })
+            .because("Braces and percent signs are characters like every other, and each part stands as it is.")
     }
 
     /// A session id and a name that are the realm, which is valid and no segment.

@@ -52,6 +52,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(text.cases("left-behind", left_behind)?);
     cases.extend(text.cases("clock-of-the-dropped", row_case)?);
     cases.extend(text.cases("channels", channels)?);
+    cases.extend(text.cases("signs-of-zero", |row| Ok(channels(row)?.with_signs()))?);
     cases.extend(text.cases("channels-in-turn", channels_in_turn)?);
     cases.extend(text.cases("asked", row_case)?);
     cases.extend(text.cases("waits", row_case)?);

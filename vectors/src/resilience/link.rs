@@ -27,6 +27,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(extremes());
     cases.extend(alike_from_before());
     cases.extend(spans());
+    cases.push(far_apart());
     let about =
         "The link monitor: losses, late frames and duplicates, bursts and how they clear, and seqs from end to end.";
     Ok(File::new("resilience", "link", about, cases))
@@ -699,6 +700,23 @@ fn spans() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// Missing seqs that lie as far apart as a larger table would be long, with nothing else missing between them.
+fn far_apart() -> Case {
+    let missing = [1, 1 + (1 << 13), 1 + (1 << 14), 1 + (1 << 15), 1 + (1 << 16)];
+    let arrive = (0..=missing[4] + 1).filter(|seq| !missing.contains(seq));
+    let seqs: Vec<i64> = arrive.chain(missing).collect();
+    let mut entries: Vec<Json> = seqs.iter().map(|_| no_result()).collect();
+    for (entry, lost) in entries.iter_mut().rev().zip(0..5) {
+        *entry = object! { "lost" => int(lost) };
+    }
+    Case::new("span/powers-of-two", &["NCP-RES-056", "NCP-RES-041"], &BOTH)
+        .call("link.run", args(None, None, &seqs))
+        .shows(steps(entries))
+        .title("Of five missing frames that lie powers of two up to 65,536 apart each is taken back.")
+        .flags(&["wrong-loss"])
+        .because("While no more than 4,096 seqs are missing, the monitor remembers each of them, however far apart.")
 }
 
 /// The frame behind the `nth` gap of 4,000, the first of which follows seq 2, and then what was missing.

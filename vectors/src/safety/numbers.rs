@@ -374,6 +374,7 @@ fn speeds() -> Vec<Case> {
     }
     cases.extend(kept());
     cases.extend(other_channels());
+    cases.push(of_many_components());
     // A horizon, each of whose steps is above, below or at the limit.
     for (name, limit, one, other) in
         [("tiny", 1e-170, 1e-165, 1e-175), ("huge", 1e170, 1e175, 1e165), ("to-a-tiny-limit", 1e-170, 1e165, 1e-180)]
@@ -494,6 +495,26 @@ fn about(limit: f64, direction: [f64; 3]) -> Json {
         }
     };
     Json::Array(direction.into_iter().map(component).collect())
+}
+
+/// A great component and so many small ones that they count together, though each is lost beside the great one.
+fn of_many_components() -> Case {
+    const MANY: usize = 90_000;
+    let (small, limit) = (1.04e-8, 0.5);
+    // The norm is the root of 1 + MANY * small^2, which is nearly 1 and a half of that.
+    let norm = 1.0 + MANY as f64 * small * small / 2.0;
+    let data = [vec![1.0], vec![small; MANY]].concat();
+    let command = Command::of(vec![velocity(&[0.1, 0.0, 0.0]), channel("wheels", &data, Some(MPS))]);
+    let trace = Trace::new(Limits::speed(limit), vec![govern(command, near())]);
+    let about = |part: f64| within(part * limit / norm * (1.0 - 1e-9), part * limit / norm * (1.0 + 1e-12));
+    let scaled = [vec![about(1.0)], vec![about(small); MANY]].concat();
+    let wheels = object! { "data" => Json::Array(scaled) };
+    let frame = object! { "mode" => "active", "channels" => object! { "wheels" => wheels } };
+    case("range/scaled/of-many-components", &["NCP-SAFE-060", "NCP-SAFE-065"], &trace)
+        .shows_exactly(steps(vec![object! { "frame" => frame }]))
+        .title("A channel of 90,001 components is scaled by all of them.")
+        .flags(&["overflowing-norm"])
+        .because("The norm is that of all components, and what is sent is not above the limit by more than a rounding.")
 }
 
 /// Fences and positions whose squares leave the doubles.

@@ -13,9 +13,12 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(never_above());
     cases.extend(hairs());
     cases.extend(huge());
-    cases.extend(Scenarios::read(source!("safety/speed"))?.rest(row_case)?);
+    let mut text = Scenarios::read(source!("safety/speed"))?;
+    cases.extend(text.cases("signs-of-zero", |row| Ok(row_case(row)?.with_signs()))?);
+    cases.extend(text.rest(row_case)?);
     cases.extend(channels());
     cases.extend(horizons());
+    cases.extend(ticks_without_a_horizon());
     cases.extend(off());
     let about =
         "The speed limit: vectors above, at and below it, those that cannot be scaled, further channels and horizons.";
@@ -358,6 +361,27 @@ const TRUNCATES_OR_HOLDS: &str =
     "The governor truncates the horizon before a step that has a component that is not finite, or holds.";
 
 /// The limit on every step.
+/// The length of a tick without a horizon: it says nothing, and is a part of the command.
+fn ticks_without_a_horizon() -> Vec<Case> {
+    let table = [
+        ("no-limit", Limits::NONE, "Without limits"),
+        ("speed-limit", Limits::speed(2.0), "Within a speed limit"),
+        ("fence", Limits::fence(5.0), "Within a fence"),
+    ];
+    let of = |(name, limits, words): (&str, Limits, &str)| {
+        let mut command = Command::moving(&[0.5, 0.0, 0.0]);
+        command.dt = Some(62.5);
+        let trace = Trace::new(limits, vec![govern(command, near())]);
+        let frame = object! { "mode" => "active", "horizon" => Json::Array(Vec::new()), "horizon_dt_ms" => num(62.5) };
+        case(format!("horizon/none-of-62.5-ms/{name}"), &["NCP-SAFE-021"], &trace)
+            .shows(steps(vec![object! { "frame" => frame }]))
+            .title(format!("{words} a command that passes keeps the length of a tick, though it has no horizon."))
+            .flags(&["over-strict"])
+            .because("A command that no gate closes on, no clamp changes and no truncation shortens passes unchanged.")
+    };
+    table.map(of).into()
+}
+
 fn horizons() -> Vec<Case> {
     let mut cases = Vec::new();
     let fast = [30.0, 40.0, 0.0];

@@ -106,14 +106,24 @@ fn versions() -> Vec<Case> {
         ("stepped", "The reply to a step", vec![(step("a", None, None), observation("a"))], "NCP-SESS-027"),
         ("closed", "A `session_closed`", vec![(close("a"), closed)], "NCP-SESS-028"),
     ];
-    for (name, words, mut trace, rule) in table {
-        trace.insert(0, (Open::lif("a").text(), opened("a")));
-        let last = trace.len() - 1;
-        trace[last].1 = stating(trace[last].1.clone());
-        let case = reference(format!("version/{name}"), &["NCP-VER-021", rule], trace);
-        cases.push(
-            of_version(case, last, rule).title(format!("{words} states the wire version of the server.")).because(WHY),
-        );
+    for (name, words, trace, rule) in table {
+        // A version that is the same by its numbers, in a spelling of its own.
+        for (path, spelled, when) in [
+            (format!("version/{name}"), WIRE_VERSION.to_owned(), String::new()),
+            (
+                format!("version/{name}/of-another-spelling"),
+                format!("0{WIRE_VERSION}"),
+                format!(", also in a session that was opened by the version 0{WIRE_VERSION}"),
+            ),
+        ] {
+            let open = Open::lif("a").json().with("ncp_version", spelled.into()).text();
+            let mut trace = trace.clone();
+            trace.insert(0, (open, opened("a")));
+            let last = trace.len() - 1;
+            trace[last].1 = stating(trace[last].1.clone());
+            let case = of_version(reference(path, &["NCP-VER-021", rule], trace), last, rule);
+            cases.push(case.title(format!("{words} states the wire version of the server{when}.")).because(WHY));
+        }
     }
     cases
 }

@@ -9,6 +9,7 @@ use super::{
 };
 use crate::case::{Case, File};
 use crate::json::{Json, object};
+use crate::model::explicit;
 use crate::patch::written;
 use crate::scenario::{Row, ScenarioError, Scenarios, Step, beside, source};
 use crate::template::Text;
@@ -42,6 +43,8 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.push(failure_of_many_steps());
     cases.push(refused_requests());
     cases.extend(failures_of_one());
+    cases.extend(failures_behind_no_step());
+    cases.extend(malformed_times());
     cases.extend(failures_by_road());
     cases.push(failures_of_two());
     cases.extend(failures_beside_a_current());
@@ -530,6 +533,31 @@ fn versions() -> Result<Vec<Case>, ScenarioError> {
     Ok(cases)
 }
 
+/// Times that are no JSON numbers though many a reader takes them for numbers, in the requests of an open session.
+fn malformed_times() -> Vec<Case> {
+    let spelled = ["05", "+5", "5.", ".5", "5e", "0x5", "5_0", "-.5", "1e+", "Infinity", "NaN", "\u{ff15}"];
+    let mut cases = Vec::new();
+    for (kind, member) in [("step_request", "advance_ms"), ("run_request", "duration_ms")] {
+        let whole = explicit(kind).with("session_id", "a".into()).with(member, Json::literal("7654.0"));
+        for (nth, time) in spelled.into_iter().enumerate() {
+            // Every other one with all members, as most clients write a request.
+            let whole = if nth % 2 == 0 { whole.clone().and("stimulus", Json::Null) } else { whole.clone() };
+            let request = whole.text().replacen("7654.0", time, 1);
+            cases.push(
+                case(
+                    format!("time/{}/malformed/{nth:02}", kind.trim_end_matches("_request")),
+                    &["NCP-WIRE-002", "NCP-SESS-021"],
+                    vec![open("a"), steps("a", 10.0), (request, error()), steps("a", 20.0)],
+                )
+                .title(format!("A `{kind}` whose `{member}` is spelled {time} is an error, and time stands still."))
+                .flags(&["session-lifecycle"])
+                .because("A frame that is no JSON is answered with an error frame, whatever it would have said."),
+            );
+        }
+    }
+    cases
+}
+
 /// A step whose stimulus frame is of another session, though of one that looks the same or nearly so.
 fn misfits() -> [Case; 2] {
     [("other-form", "caf\u{e9}", "cafe\u{301}"), ("other-case", "uav\u{e9}", "uav\u{c9}")].map(|(name, id, other)| {
@@ -561,10 +589,13 @@ fn versions_beside() -> Vec<Case> {
         ("unknown-network", "of an unknown network", beside(-1), Some(network("builtin", "ncp.no.such.network"))),
         ("unknown-handle", "of an unknown handle", "1.0".to_owned(), Some(network("handle", "no-such-handle"))),
         ("open-already", "for a session that is open", beside(-1), None),
+        ("closed-before", "of an id that was opened and closed before", beside(1), None),
     ];
     let case = |(name, words, version, network): (&str, &str, String, Option<Json>)| {
-        let opens = network.is_none().then(|| open("a"));
-        let trace = opens.into_iter().chain([(of(&version, network), not_opened("a"))]).collect();
+        let mut trace = Vec::new();
+        trace.extend(network.is_none().then(|| open("a")));
+        trace.extend((name == "closed-before").then(|| (close("a"), closed("a"))));
+        trace.push((of(&version, network), not_opened("a")));
         case(format!("version/beside/{name}"), &["NCP-SESS-023"], trace)
             .title(format!("An `open_session` of the version {version} {words} is answered with a `session_opened`."))
             .flags(&["lenient-versions"])
@@ -881,6 +912,67 @@ fn failures_of_one() -> Vec<Case> {
         }
     }
     cases.extend(late_failures());
+    cases
+}
+
+/// A value that came with no step stays in force, also behind a request of another port that fails.
+fn failures_behind_no_step() -> Vec<Case> {
+    let kinds = [("rate", "rate", "rate_inject"), ("membrane", "V_m", "current_pA")];
+    let mut cases = Vec::new();
+    for (what, observable, kind) in kinds {
+        for (name, nothing, words) in [("of-0-ms", 0.0, "of 0 ms"), ("of-no-step", 0.25, "of a quarter of a step")] {
+            let drive = |port: &str, target: &str| stimulus(port, kind).with("target", target.into());
+            let open = Open {
+                other: Some(1),
+                records: vec![record("out", observable, 1.0)],
+                stimuli: vec![drive("x", "pop"), drive("y", "other"), drive("z", "other")],
+                ..if what == "rate" { Open::rate("a") } else { Open::lif("a") }
+            };
+            let by = |time: f64, given: &[(&str, f64)]| {
+                let value = |(port, value): &(&str, f64)| ((*port).to_owned(), object! { "data" => nums(&[*value]) });
+                let values = Json::Object(given.iter().map(value).collect());
+                let request = Json::read(&step_of("a", Some(time), None));
+                request.with("stimulus", object! { "values" => values }).text()
+            };
+            let mut state = if what == "rate" { 0.0 } else { -70.0 };
+            let p = (-0.1_f64).exp();
+            let mut runs = |from: u32, to: u32, x: f64| {
+                let times: Vec<f64> = (from + 1..=to).map(f64::from).collect();
+                let step = |_: &f64| {
+                    state = match what {
+                        "rate" => state * p + x * (1.0 - p),
+                        _ => -70.0 + (state + 70.0) * p + x * 10.0 / 250.0 * (1.0 - p),
+                    };
+                    state
+                };
+                let values: Vec<f64> = times.iter().map(step).collect();
+                recorded("a", object! { "out" => object! { "times" => nums(&times), "values" => nums(&values) } })
+            };
+            // Two inputs of the other population whose sum is beyond the doubles, and then none.
+            let trace = vec![
+                (open.text(), opened("a")),
+                (by(3.0, &[("x", 40.0)]), runs(0, 3, 40.0)),
+                (by(nothing, &[("x", 20.0)]), text_of(object! { "kind" => "observation_frame" })),
+                (by(4.0, &[("y", 1.7e308), ("z", 1.7e308)]), error()),
+                (by(2.0, &[("y", 0.0), ("z", 0.0)]), runs(3, 5, 20.0)),
+            ];
+            cases.push(
+                super::reference(
+                    format!("fails/{what}/behind-a-value/{name}"),
+                    &["NCP-SESS-054", "NCP-SESS-057"],
+                    trace,
+                )
+                .title(format!(
+                    "A value that came with a step {words} is in force behind one whose {what} leaves the doubles."
+                ))
+                .flags(&["session-lifecycle", "non-finite-numbers"])
+                .because(
+                    "A stimulus acts from the next step on until the next value of its port, and a request that \
+                     fails costs that request only.",
+                ),
+            );
+        }
+    }
     cases
 }
 

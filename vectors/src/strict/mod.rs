@@ -5,6 +5,7 @@ mod keys;
 mod plant;
 mod replies;
 mod server;
+mod turns;
 
 use ncp_text::WIRE_VERSION;
 
@@ -13,7 +14,7 @@ use crate::json::Json;
 use crate::scenario::{ScenarioError, beside};
 
 pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
-    Ok(vec![keys::file()?, frames::file()?, replies::file()?, plant::file()?, server::file()?])
+    Ok(vec![keys::file()?, frames::file()?, replies::file()?, turns::file(), plant::file()?, server::file()?])
 }
 
 /// Versions with which one's own is not compatible, by name and spelling.

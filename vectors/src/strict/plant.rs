@@ -22,7 +22,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     }
     cases.extend(text.cases("estop-broken", broken_stop)?);
     cases.extend(text.cases("rejected", rejected)?);
-    for group in ["reset", "reset-seq", "stream"] {
+    for group in ["reset", "reset-seq", "reset-version", "stream"] {
         cases.extend(text.cases(group, plain)?);
     }
     cases.extend(text.cases("kept-stream", of_what_is_kept)?);

@@ -38,7 +38,35 @@ impl Encoder {
         cases.extend(self.special());
         cases.extend(self.refused_ids());
         cases.extend(self.large());
+        cases.extend(self.long());
         cases
+    }
+
+    /// Strings that are long in one way of counting and short of the limit in bytes of UTF-8, which is what a receiver
+    /// counts.
+    fn long(&self) -> Vec<Case> {
+        let Some(field) = self.free_string() else { return Vec::new() };
+        // What a program says, how it stands in a frame, how often, and what it is in words.
+        let table = [
+            ("two-bytes", "\u{e9}", "\u{e9}", 450_000, "characters of two bytes"),
+            ("four-bytes", "\u{1f681}", "\u{1f681}", 250_000, "characters of four bytes"),
+            ("quotes", "\"", "\\\"", 500_000, "quotes"),
+            ("controls", "\u{1}", "\\u0001", 170_000, "control characters"),
+        ];
+        let of_kind = table.into_iter().filter(|(what, ..)| *what == "two-bytes" || self.kind == "sensor_frame");
+        let case = |(what, said, written, times, says): (&str, &str, &str, usize, &str)| {
+            let repeated = object! { "$repeat" => said, "times" => Json::literal(times.to_string()) };
+            let frame = explicit(self.kind).with(field, LONG.into()).text();
+            let (before, after) = frame.split_once(LONG).unwrap_or((&frame, ""));
+            let text = Text::concat([before.into(), Text::repeat(written, times), after.into()]);
+            self.case(&format!("long/{what}"), &["NCP-WIRE-093"])
+                .title(format!("{} whose `{field}` is {times} {says} is written whole.", a(self.kind)))
+                .flags(&["low-limits"])
+                .encode(self.kind, self.fields(explicit(self.kind)).with(field, repeated))
+                .means(text)
+                .because("The frame is within 1 MiB, and an encoder writes every message that a receiver has to read.")
+        };
+        of_kind.map(case).collect()
     }
 
     /// Messages that are large and that every receiver has to read, however their numbers are spelled.

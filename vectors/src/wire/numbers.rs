@@ -209,6 +209,36 @@ pub(super) fn of_every_size() -> Vec<f64> {
     doubles.into_iter().enumerate().map(signed).collect()
 }
 
+/// Spellings of so many digits with so great an exponent, and the nearest double of each: such that a reader which
+/// rounds the digits first, or multiplies or divides by the power in two parts, mostly ends beside it.
+pub(super) fn of_every_length() -> Vec<(String, f64)> {
+    let mut state: u64 = 0x2545_f491_4f6c_dd1d;
+    let mut digits = |length: u32| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let from = 10_u64.pow(length - 1);
+        from + (state >> 3) % (from * 9)
+    };
+    let exponents = (-38..=-23).chain(23..=38).chain([-22, -16, -9, -3, 3, 9, 16, 22]);
+    let candidates = exponents.flat_map(|exponent: i32| (1..=18).map(move |length| (length, exponent)));
+    let hardest = candidates.filter_map(|(length, exponent)| {
+        let tries = (0..60).map(|_| digits(length)).map(|whole| (astray(whole, exponent), whole));
+        let (ways, whole) = tries.max()?;
+        (ways > 0).then(|| format!("{whole}e{exponent}"))
+    });
+    hardest.filter_map(|literal| Some((literal.parse().ok()?, literal))).map(|(is, literal)| (literal, is)).collect()
+}
+
+/// In how many ways to part the power of ten the product, or the quotient, is not the nearest double.
+fn astray(whole: u64, exponent: i32) -> usize {
+    let nearest: Option<f64> = format!("{whole}e{exponent}").parse().ok();
+    let power = |exponent: u32| format!("1e{exponent}").parse().unwrap_or(f64::NAN);
+    let by = |value: f64, power: f64| if exponent < 0 { value / power } else { value * power };
+    let size = exponent.unsigned_abs();
+    #[expect(clippy::cast_precision_loss, reason = "what such a reader does")]
+    let rounded = whole as f64;
+    (0..=size.min(22)).filter(|first| Some(by(by(rounded, power(*first)), power(size - first))) != nearest).count()
+}
+
 /// A number that is no finite double, for every field of type number.
 pub(super) fn few_infinite() -> Vec<(&'static str, String)> {
     vec![("overflow", "1e309".to_owned())]
@@ -328,6 +358,17 @@ mod tests {
         for places in 0..=12 {
             let is_changed = |double: &&f64| format!("{double:.places$}").parse() != Ok(**double);
             assert!(doubles.iter().filter(|double| double.abs() > 1e3).filter(is_changed).count() >= 8, "{places}");
+        }
+    }
+
+    #[test]
+    fn a_reader_that_rounds_twice_reads_some_of_every_length_astray() {
+        let all = of_every_length();
+        assert!(all.iter().all(|(literal, is)| literal.parse() == Ok(*is) && is.is_finite()));
+        // Digits that are a double, with a power that is one, are rounded once.
+        for length in 1..=18 {
+            let of_length = all.iter().filter(|(literal, _)| literal.find('e') == Some(length));
+            assert!(of_length.count() >= 16, "{length}");
         }
     }
 

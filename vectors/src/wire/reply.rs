@@ -3,10 +3,11 @@
 use crate::case::Role::Commander;
 use crate::case::{Case, File};
 use crate::json::{Json, object};
-use crate::model::{explicit, minimal};
+use crate::model::{explicit, full, minimal};
 use crate::patch::patched;
 use crate::scenario::{Row, ScenarioError, Scenarios, beside, source};
 use crate::template::Text;
+use crate::trace::num;
 use crate::version::{MALFORMED, malformed};
 
 pub(super) fn file() -> Result<File, ScenarioError> {
@@ -21,7 +22,41 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(alike());
     cases.extend(malformed_versions()?);
     cases.extend(long_sessions());
+    cases.extend(of_other_contents());
     Ok(File::new("wire", "reply", "What a client accepts as the reply to its request.", cases))
+}
+
+/// Replies that say something else than a request would have: which simulation it is, and what it measured, is no
+/// question of whether a reply belongs to a request.
+fn of_other_contents() -> Vec<Case> {
+    let own = || ("open_session", full("open_session"));
+    let opened = |changes: &str| {
+        full("session_opened").with("ok", true.into()).with("error", Json::Null).with("provenance", Json::read(changes))
+    };
+    let seeded = r#"{"seed":8,"backend":"nest-9.9","network_ref":"builtin:other","note":null}"#;
+    let asks = |kind: &'static str, time: &str| (kind, full(kind).with(time, Json::literal("10.0")));
+    let step = || asks("step_request", "advance_ms");
+    let run = || asks("run_request", "duration_ms");
+    let observed = |time: f64, records: &str| {
+        full("observation_frame").with("sim_time_ms", num(time)).with("records", Json::read(records))
+    };
+    let table = [
+        ("seed", own(), opened(seeded), "names another seed, backend and network"),
+        ("populations", own(), opened("null").with("resolved", Json::read(r#"{"b":9,"c":0}"#)), "resolves others"),
+        ("less-time", step(), observed(5.0, "{}"), "is of less time than the step"),
+        ("no-time", run(), observed(0.0, "{}"), "is of no time"),
+        ("earlier", step(), observed(-2.5, "{}"), "is of a time below 0"),
+        ("other-ports", run(), observed(10.0, r#"{"y":{"times":[3.0,1.0]},"z":{"values":[1.0]}}"#), "has other ports"),
+    ];
+    let case = |(name, (kind, request), reply, says): (&str, (&str, Json), Json, &str)| {
+        Case::new(format!("{kind}/accepted/contents/{name}"), &["NCP-SESS-007"], &[Commander])
+            .title(format!("A client accepts a reply to its `{kind}` that {says}."))
+            .flags(&["over-strict"])
+            .call("reply.check", object! { "request" => request.text(), "reply" => reply.text() })
+            .accepts()
+            .because("Kind, session and version fit, and nothing says that it failed.")
+    };
+    table.map(case).into()
 }
 
 /// Replies as long as their kind may be, and longer: a reply is a frame like every other.

@@ -1,7 +1,7 @@
 //! Every spelling of a number, in fields that between them every role reads.
 
-use super::fields;
 use super::place::Place;
+use super::{fields, numbers};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{explicit, explicit_message, minimal};
@@ -32,6 +32,7 @@ pub(super) fn file() -> File {
     cases.extend(equal_items());
     cases.extend(long_spellings());
     cases.extend([15, 16, 17, 19].map(of_every_power));
+    cases.push(of_every_length());
     let about = "Numbers in every spelling: rounding, subnormals, signed zeros, overflow, and integers that are none.";
     File::new("wire", "numbers", about, cases)
 }
@@ -320,18 +321,34 @@ fn of_every_power(digits: u32) -> Case {
     let first = i32::try_from(digits % 4).unwrap_or_default() - 300;
     let spelled: Vec<String> = (first..=285).step_by(4).map(&mut number_of).collect();
     let nearest = spelled.iter().filter_map(|spelled| spelled.parse().ok());
-    let frame = |numbers: Vec<Json>| {
-        let channel = explicit_message("ChannelValue").with("data", Json::Array(numbers));
-        explicit(SENSOR).with("channels", object! { "a" => channel })
-    };
     Case::new(format!("{SENSOR}/of-every-power/{digits}-digits"), &["NCP-WIRE-012"], readers(SENSOR))
         .title(format!(
             "Numbers of {digits} digits with powers of ten from -300 to 285 are read as the doubles nearest to them."
         ))
         .flags(&["rounding"])
-        .decode(SENSOR, frame(spelled.iter().map(|spelled| Json::literal(spelled.as_str())).collect()).text())
-        .means(frame(nearest.map(num).collect()).text())
+        .decode(SENSOR, with_data(spelled.iter().map(|spelled| Json::literal(spelled.as_str())).collect()).text())
+        .means(with_data(nearest.map(num).collect()).text())
         .because("A number is the nearest double, and is rounded once, whatever its digits and its power.")
+}
+
+/// A number of each length with each exponent at which a reader is tempted to round twice.
+fn of_every_length() -> Case {
+    let all = numbers::of_every_length();
+    let count = all.len();
+    let (spelled, nearest): (Vec<Json>, Vec<Json>) =
+        all.into_iter().map(|(spelled, nearest)| (Json::literal(spelled), num(nearest))).unzip();
+    Case::new(format!("{SENSOR}/of-every-length"), &["NCP-WIRE-012"], readers(SENSOR))
+        .title(format!("{count} numbers of 1 to 18 digits and an exponent are read as the doubles nearest to them."))
+        .flags(&["rounding"])
+        .decode(SENSOR, with_data(spelled).text())
+        .means(with_data(nearest).text())
+        .because("A number is the nearest double, and is rounded once, whatever its digits and its power.")
+}
+
+/// A sensor frame with a channel of that data.
+fn with_data(numbers: Vec<Json>) -> Json {
+    let channel = explicit_message("ChannelValue").with("data", Json::Array(numbers));
+    explicit(SENSOR).with("channels", object! { "a" => channel })
 }
 
 /// Stands for a number that is written as a template.

@@ -35,6 +35,7 @@ impl Walk<'_> {
                 if Number::of(value).is_some_and(|got| expected.is_near(got, self.tolerance))
                     && !(self.is_spelled && expected.is_integer() && is_fraction(value)) => {}
             (Shape::Range(low, high), Some(value)) if is_within(*low, *high, value) => {}
+            (Shape::Double(expected), Some(value)) if Number::of(value).is_some_and(|got| expected.is_met_by(got)) => {}
             (Shape::Refused, Some(step)) if is_refusal(step) => {}
             (Shape::Items(expected), Some(Json::Array(got))) => self.items(expected, got),
             (Shape::Beginning(expected), Some(Json::Array(got))) if (1..=expected.len()).contains(&got.len()) => {
@@ -147,6 +148,7 @@ impl Walk<'_> {
             Shape::Refused => "a refused step, and no crash".to_owned(),
             Shape::Json(_) | Shape::Frame(_) => "a string of JSON".to_owned(),
             Shape::Range(low, high) => format!("a number from {low} to {high}"),
+            Shape::Double(number) => format!("{number}, bit for bit"),
             Shape::SomeText => "a text that is not empty".to_owned(),
             Shape::Anything => "a member".to_owned(),
             Shape::Beginning(items) => format!("the first of {} items, at least one", items.len()),
@@ -326,6 +328,10 @@ mod tests {
             (r#"{"$frame":{"b":1,"a":{"c":2.0}}}"#, r#""{\"b\":1,\"x\":0,\"a\":{\"c\":2}}""#),
             (r#"{"$json":{"b":1,"a":2}}"#, r#""{\"a\":2.0,\"b\":1}""#),
             (r#"{"$range":[-1,1]}"#, "1.0"),
+            (r#"{"$double":0.5}"#, "5e-1"),
+            (r#"{"$double":"-0"}"#, "-0.0"),
+            (r#"{"$double":"-0"}"#, "\"-0\""),
+            (r#"{"$double":0.0}"#, "0"),
             (r#"{"$range":[0,"Infinity"]}"#, "\"Infinity\""),
             (r#"{"a":{"$text":true}}"#, r#"{"a":"no"}"#),
             (r#"{"a":{"$anything":true}}"#, r#"{"a":null}"#),
@@ -362,6 +368,8 @@ mod tests {
             (r#"{"$frame":{"a":[1,2]}}"#, r#""{\"a\":[1,2.0]}""#, "/a/1: expected 2, got 2.0"),
             (r#"{"$range":[-1,1]}"#, "1.5", "expected a number from -1 to 1, got 1.5"),
             (r#"{"$range":[-1,1]}"#, "\"NaN\"", "expected a number from -1 to 1, got \"NaN\""),
+            (r#"{"$double":"-0"}"#, "0.0", "expected -0.0, bit for bit, got 0.0"),
+            (r#"{"$double":0.0}"#, "-0.0", "expected 0.0, bit for bit, got -0.0"),
             (r#"{"a":{"$text":true}}"#, r#"{"a":""}"#, r#"/a: expected a text that is not empty, got """#),
             (r#"{"a":{"$text":true}}"#, r#"{"a":null}"#, "/a: expected a text that is not empty, got null"),
             (r#"{"a":{"$text":true}}"#, "{}", "/a: expected a text that is not empty, got nothing"),

@@ -171,6 +171,11 @@ impl<'h> Draw<'h> {
         size.clamp(low, high)
     }
 
+    /// Rarely, more than an implementation that keeps the last so many of something would keep.
+    pub(crate) fn giant(&mut self) -> Option<usize> {
+        self.chance(3).then(|| self.one(&[1 << 10, 1 << 10, 1 << 12, 1 << 12, 1 << 14, 1 << 16]) + 1 + self.below(40))
+    }
+
     /// So many, or as many as the input may still have.
     pub(crate) fn afford(&mut self, count: usize) -> usize {
         let count = count.min(self.left);

@@ -1,7 +1,7 @@
 //! Patterns of results, for answers of which a case does not judge everything.
 //!
 //! A pattern is JSON of which some objects have a meaning of their own, told by their one member: `$any`,
-//! `$beginning`, `$error`, `$exact`, `$json`, `$frame`, `$range`, `$text`, `$anything`. In a list,
+//! `$beginning`, `$error`, `$exact`, `$json`, `$frame`, `$range`, `$double`, `$text`, `$anything`. In a list,
 //! `{"$item": pattern, "times": 1000}` stands for so many equal items, and `{"$items": [pattern, …], "times": 1000}`
 //! for so many equal rounds of items; no other template stands in a pattern. Reading it is strict: a pattern that is
 //! misspelt would test nothing.
@@ -13,7 +13,8 @@ use super::template::{self, TemplateError};
 use crate::json::{Json, JsonError, Number, write_string};
 
 /// The members that make an object more than an object.
-const WORDS: &str = "`$any`, `$beginning`, `$error`, `$exact`, `$json`, `$frame`, `$range`, `$text`, `$anything`";
+const WORDS: &str =
+    "`$any`, `$beginning`, `$error`, `$exact`, `$json`, `$frame`, `$range`, `$double`, `$text`, `$anything`";
 
 /// How many items the lists of one pattern have at most, those that `$item` stands for counted.
 const MOST_ITEMS: usize = 1 << 20;
@@ -48,6 +49,8 @@ pub enum Shape {
     Frame(Box<Shape>),
     /// A number from one to another, both included: `$range`.
     Range(Number, Number),
+    /// This double and no other, so that −0 is not 0, whatever the tolerance: `$double`.
+    Double(Number),
     /// A string that is not empty: `$text`.
     SomeText,
     /// Whatever is there: `$anything`.
@@ -129,6 +132,10 @@ impl Shape {
                 _ => wrong("$range", "two numbers in order"),
             },
             ("$range", _) => wrong("$range", "two numbers in order"),
+            ("$double", value) => match Number::of(value) {
+                Some(number) if !number.is_integer() => Ok(Self::Double(number)),
+                _ => wrong("$double", "a double"),
+            },
             ("$text", Json::Bool(true)) => Ok(Self::SomeText),
             ("$text", _) => wrong("$text", "true"),
             ("$anything", Json::Bool(true)) => Ok(Self::Anything),
@@ -167,6 +174,7 @@ impl fmt::Display for Shape {
             Self::Json(inner) => write!(f, "{{\"$json\":{inner}}}"),
             Self::Frame(inner) => write!(f, "{{\"$frame\":{inner}}}"),
             Self::Range(low, high) => write!(f, "{{\"$range\":[{low},{high}]}}"),
+            Self::Double(number) => write!(f, "{{\"$double\":{number}}}"),
             Self::SomeText => f.write_str("{\"$text\":true}"),
             Self::Anything => f.write_str("{\"$anything\":true}"),
         }

@@ -34,6 +34,7 @@ pub(super) fn file() -> File {
     cases.extend(time::durations());
     cases.extend(ports::orders());
     cases.extend(ports::orders_of_ports());
+    cases.extend(ports::nearly_ranges());
     cases.extend(stimuli::sums());
     cases.extend(far());
     cases.extend(neurons::near());
@@ -159,6 +160,8 @@ fn far() -> Vec<Case> {
     cases.extend(ports::far_samples());
     cases.extend(neurons::far_spikes());
     cases.push(neurons::many_spikes());
+    cases.extend(neurons::late_rests());
+    cases.push(neurons::rests_beside());
     cases.extend(stimuli::far_neurons());
     cases
 }

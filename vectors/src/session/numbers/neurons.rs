@@ -1,6 +1,6 @@
 //! What a neuron of the reference networks does: its potential, its spikes, its rests and its rate.
 
-use super::{Params, WHY, samples, sent, simulate, small_samples};
+use super::{Params, WHY, driven_step, samples, sent, simulate, small_samples};
 use crate::case::Case;
 use crate::json::{Json, object};
 use crate::session::{Open, observation, opened, record, recorded, reference, run, step, stimulus};
@@ -288,6 +288,57 @@ pub(super) fn far_spikes() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Rests of so few steps that spikes come often, late in a session of long steps.
+pub(super) fn late_rests() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, dt) in [("hours", 12_345.67), ("weeks", 1e9 / 7.0)] {
+        let params = vec![("t_ref", 3.0 * dt), ("I_e", 5_000.0)];
+        let (_, _, spikes) = simulate(&params, dt, 300, 5_000.0);
+        let open = Open { params, dt, records: vec![record("s", "spikes", dt)], ..Open::lif("a") };
+        let request = run("a", 300.0 * dt);
+        let expected = recorded("a", object! { "s" => samples(&spikes, None) });
+        cases.push(
+            reference(
+                format!("far/rests/{name}"),
+                &["NCP-SESS-050"],
+                vec![(open.text(), opened("a")), (request, expected)],
+            )
+            .title(format!(
+                "A neuron that rests for three steps of {dt} ms spikes at every fourth, also late ({name})."
+            ))
+            .because(WHY),
+        );
+    }
+    cases
+}
+
+/// A neuron that rests at the potential of another, which does not, under the same current.
+pub(super) fn rests_beside() -> Case {
+    let ids = |id: u32| std::iter::once(id).collect::<Json>();
+    let drive = |port: &str, id| stimulus(port, "current_pA").with("ids", ids(id));
+    let open = Open {
+        size: 2,
+        records: vec![record("s", "spikes", 1.0)],
+        stimuli: vec![drive("x", 1), drive("y", 2)],
+        ..Open::lif("a")
+    };
+    let spike = |time: f64, sender: u32| recorded("a", object! { "s" => sent(&[time], &[sender]) });
+    let none = recorded("a", object! { "s" => samples(&[], None) });
+    let both = |much: f64| driven_step("a", 1.0, &[("x", much), ("y", much)]);
+    // The first spikes and is put back to where the second rests; then both have the same current, and none.
+    let trace = vec![
+        (open.text(), opened("a")),
+        (driven_step("a", 1.0, &[("x", 1e5), ("y", 0.0)]), spike(1.0, 1)),
+        (both(1e5), spike(2.0, 2)),
+        (both(0.0), none),
+        (both(1e5), spike(4.0, 1)),
+        (both(1e5), spike(5.0, 2)),
+    ];
+    reference("rest/beside-another".to_owned(), &["NCP-SESS-050", "NCP-SESS-054"], trace)
+        .title("Of two neurons of one potential under one current the one that rests does not spike.")
+        .because("A neuron that spiked is refractory for round(t_ref / dt) steps; another of its population is not.")
 }
 
 /// Spikes of thousands of neurons in one request, at each of its steps.

@@ -302,6 +302,36 @@ pub(super) fn orders() -> Vec<Case> {
     cases
 }
 
+/// Ids that are no range, though their first step and their last id would fit one.
+pub(super) fn nearly_ranges() -> Vec<Case> {
+    let lists: [&[u32]; 6] =
+        [&[1, 3, 4, 7], &[2, 4, 5, 8], &[9, 7, 6, 3], &[1, 4, 5, 7, 13], &[1, 2, 4, 3, 5], &[3, 4, 6, 5, 7, 8]];
+    let of = |ids: &[u32]| {
+        const SIZE: u32 = 13;
+        let named = ids.iter().copied().collect::<Json>();
+        let open = Open {
+            size: SIZE,
+            records: vec![record("v", "V_m", 1.0).with("ids", named.clone()), record("w", "V_m", 1.0)],
+            stimuli: vec![stimulus("in", "current_pA").with("ids", named)],
+            ..Open::lif("a")
+        };
+        let [rest, driven] = [0.0, 300.0].map(|current| simulate(&[], 1.0, 1, current).1[0]);
+        let all: Vec<u32> = (1..=SIZE).collect();
+        let potentials = |of: &[u32]| {
+            let values: Vec<f64> = of.iter().map(|id| if ids.contains(id) { driven } else { rest }).collect();
+            sent(&vec![1.0; of.len()], of).with("values", nums(&values))
+        };
+        let records = object! { "v" => potentials(ids), "w" => potentials(&all) };
+        let trace =
+            vec![(open.text(), opened("a")), (step("a", Some(1.0), Some(("in", 300.0))), recorded("a", records))];
+        let name = ids.iter().map(ToString::to_string).collect::<Vec<_>>().join("-");
+        reference(format!("id/nearly-a-range/{name}"), &["NCP-SESS-052", "NCP-SESS-055", "NCP-SESS-059"], trace)
+            .title(format!("A port that names the neurons {name} reads and drives these and no others."))
+            .because("The ids of a port are its neurons, each of them, in their order.")
+    };
+    lists.map(of).into()
+}
+
 /// Two ports that name the same neurons, each in an order of its own.
 pub(super) fn orders_of_ports() -> Vec<Case> {
     let named = |port: &str, ids: &[u32]| record(port, "V_m", 1.0).with("ids", ids.iter().copied().collect::<Json>());

@@ -5,8 +5,9 @@ use crate::fuzz::generate::{Draw, Tree};
 use crate::fuzz::tree::{MAPS, Step, at, at_mut, own, places, set, string, text};
 use crate::json::Json;
 
-/// How many bytes the copies have together at most.
+/// How many bytes the copies have together at most, and where there are more than an implementation would keep.
 const ROOM: usize = 200_000;
+const GIANT: usize = 3 << 20;
 
 /// A thing that has a name, many times; how many.
 pub(super) fn crowd(args: &mut Tree, draw: &mut Draw<'_>) -> usize {
@@ -31,9 +32,10 @@ fn things(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
         .collect();
     let Some(place) = sites.get(draw.below(sites.len())) else { return 0 };
     let (same, spread, other) = (draw.chance(30), draw.one(&['c', '~', '0']), draw.chance(60));
-    let count = match draw.below(3) {
-        0 => 1 + draw.below(4),
-        _ => draw.size(1, 700),
+    let (count, room) = match draw.giant() {
+        Some(count) => (count, GIANT),
+        None if draw.chance(33) => (1 + draw.below(4), ROOM),
+        None => (draw.size(1, 700), ROOM),
     };
     let front = draw.chance(50);
     match at_mut(tree, place) {
@@ -41,7 +43,7 @@ fn things(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
             let named: Vec<usize> = (0..items.len()).filter(|nth| is_thing(&items[*nth])).collect();
             let at = named[draw.below(named.len())];
             let item = items[at].clone();
-            let count = count.min(ROOM / item.to_string().len().max(1)).max(1);
+            let count = count.min(room / item.to_string().len().max(1)).max(1);
             let copy = |nth: usize| {
                 let mut copy = item.clone();
                 if let Some(name) = NAMED.iter().find(|name| string(&copy, name).is_some()).filter(|_| !same) {
@@ -60,7 +62,7 @@ fn things(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
         }
         Some(Json::Object(members)) => {
             let (name, value) = members[draw.below(members.len())].clone();
-            let count = count.min(ROOM / value.to_string().len().max(1)).max(1);
+            let count = count.min(room / value.to_string().len().max(1)).max(1);
             let mut changed = value.clone();
             if other {
                 other_numbers(&mut changed);
@@ -84,7 +86,8 @@ fn sessions(args: &mut Tree, draw: &mut Draw<'_>) -> usize {
     let frames: Vec<Option<Tree>> =
         requests.iter().map(|request| Json::parse(request.as_str()?).ok().map(|frame| own(&frame))).collect();
     let bytes: usize = requests.iter().map(|request| request.to_string().len()).sum();
-    let count = draw.size(1, 300).min(ROOM / bytes.max(1)).max(1);
+    let (count, room) = draw.giant().map_or_else(|| (draw.size(1, 300), ROOM), |count| (count, GIANT));
+    let count = count.min(room / bytes.max(1)).max(1);
     let spread = draw.one(&["", "x", "-"]);
     let of = |nth: usize, frame: &Option<Tree>, request: &Tree| {
         let Some(mut frame) = frame.clone().filter(|_| nth > 0) else { return request.clone() };

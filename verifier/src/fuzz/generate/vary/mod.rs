@@ -360,9 +360,12 @@ fn pump(args: &mut Tree, other: Option<&Tree>, draw: &mut Draw<'_>) -> usize {
         None => (run(steps, at, draw), at),
     };
     let bytes: usize = block.iter().map(|step| step.to_string().len()).sum();
-    let room = (if draw.chance(5) { 600_000 } else { 120_000 } / bytes.max(1)).max(2);
-    let most = if draw.chance(5) { 4000 } else { 320 };
-    let count = draw.size(1, most / block.len()).min(room);
+    let (count, room) = match draw.giant() {
+        Some(count) => (count, LARGE / 2),
+        None if draw.chance(5) => (draw.size(1, 4000 / block.len()), 600_000),
+        None => (draw.size(1, 320 / block.len()), 120_000),
+    };
+    let count = count.min((room / bytes.max(1)).max(2));
     let (seconds, seqs) = span(&block);
     let pause = draw.one(&[0.0, 0.0, 0.001, 1.0 / 64.0, 0.0625, 1.0]);
     let seconds = if draw.chance(25) { 0.0 } else { seconds + pause };
@@ -392,10 +395,16 @@ fn rounds(args: &mut Tree, draw: &mut Draw<'_>) -> usize {
     let count = draw.size(1, 70).min((150_000 / bytes.max(1)).max(1));
     let (seconds, seqs) = span(steps);
     let (pause, goes_on) = (draw.one(&[0.0, 0.0625, 1.0]), draw.chance(40));
+    // Behind a reset the clock may begin anew as well, so that all comes again just as it was.
+    let again = draw.chance(25);
     let once = steps.clone();
     for nth in 1..=count {
-        if draw.chance(90) {
+        if again || draw.chance(90) {
             steps.push(crate::fuzz::tree::object([("op", text("reset"))]));
+        }
+        if again {
+            steps.extend_from_slice(&once);
+            continue;
         }
         let by = if goes_on { seqs.saturating_mul(i64::try_from(nth).unwrap_or(0)) } else { 0 };
         steps.extend(once.iter().cloned().map(|mut step| {

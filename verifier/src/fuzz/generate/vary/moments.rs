@@ -8,6 +8,19 @@ use crate::fuzz::generate::{Draw, Tree};
 use crate::fuzz::tree::{Step, at_mut, double, name_at, num, places, set};
 use crate::json::Json;
 
+/// After so many seconds a clock begins anew: an hour, a day, a week, the weeks of a satellite, and what wide
+/// counters of microseconds and nanoseconds hold.
+const PERIODS: [f64; 8] = [
+    3600.0,
+    86_400.0,
+    604_800.0,
+    619_315_200.0,
+    9_007_199_254.740_992,
+    9.223_372_036_854_776e9,
+    1.844_674_407_370_955_2e10,
+    1.844_674_407_370_955e13,
+];
+
 /// From a step on everything is later, has later seqs, or both; how much, as a power of two.
 pub(super) fn gap(args: &mut Tree, draw: &mut Draw<'_>) -> usize {
     let Some(steps) = steps_of(args).filter(|steps| steps.len() > 1) else { return 0 };
@@ -17,8 +30,9 @@ pub(super) fn gap(args: &mut Tree, draw: &mut Draw<'_>) -> usize {
     let by = (1_i64 << power).saturating_add(draw.range(-1, 1));
     let (clock, seqs) = draw.one(&[(true, false), (true, false), (true, true), (false, true)]);
     let has_clock = steps.iter().any(|step| clock_of(step).is_some());
-    let seconds = match (clock && has_clock, draw.below(4)) {
+    let seconds = match (clock && has_clock, draw.below(5)) {
         (false, _) => 0.0,
+        (_, 4) => draw.one(&PERIODS),
         (_, 0) => 10_f64.powi(i32::try_from(draw.below(9)).unwrap_or(0)),
         // Milliseconds of a wide count, more often than what a narrow one ends at.
         (_, 1) => by as f64,
