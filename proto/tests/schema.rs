@@ -410,6 +410,7 @@ fn a_trace_and_its_pattern_are_checked_to_their_leaves() {
     let pattern = json!({"steps": [
         {"hold": true, "note": null}, {}, {"$error": true}, {"$any": [1, {"$exact": {"a": []}}]},
         {"$json": {"a": {"$range": [0, "Infinity"]}}}, {"$anything": true},
+        {"data": [{"$double": 0.5}, {"$double": "-0"}]},
         {"$beginning": [{"a": 1}, {"$item": {"a": [{"$item": 0, "times": 9}]}, "times": 300}]},
         {"$item": {"hold": true}, "times": 1}, {"$items": [{"hold": true}, {}], "times": 9},
     ]});
@@ -457,6 +458,7 @@ fn a_trace_and_its_pattern_are_checked_to_their_leaves() {
         run(json!([hold]), json!({"$beginning": []})),
         run(json!([hold]), json!({"$exact": {"$any": [1]}})),
         run(json!([hold]), json!({"$range": [0]})),
+        run(json!([hold]), json!({"$double": true})),
         run(json!([hold]), json!({"$repeat": "x", "times": 3})),
         run(json!([hold]), json!({"$item": 1, "times": 3})),
         run(json!([hold]), json!({"$any": [{"$item": 1, "times": 3}]})),
