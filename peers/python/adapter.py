@@ -84,10 +84,23 @@ def out(value):
     return value
 
 
+def written(value, **how):
+    """JSON as a module's users write it: escapes would make a long frame longer than a frame may be.
+
+    A string that no UTF-8 can hold stays escaped, for the module to refuse.
+    """
+    text = json.dumps(value, ensure_ascii=False, **how)
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        return json.dumps(value, **how)
+    return text
+
+
 def json_of(fields):
     """JSON for a function that takes JSON, which holds finite numbers only."""
     try:
-        return json.dumps(fields, allow_nan=False)
+        return written(fields, allow_nan=False)
     except ValueError:
         raise Unsupported from None
 
@@ -160,7 +173,7 @@ class Peer:
         if kind in ("open_session", "session_opened", "capabilities"):
             frame["contract_hash"] = self.module.CONTRACT_HASH
         # Not `json_of`: what Python writes for a NaN is for the module to refuse.
-        text = self.function("validate")(kind, json.dumps({**frame, **fields}))
+        text = self.function("validate")(kind, written({**frame, **fields}))
         return {"text": text if isinstance(text, str) else json_of(text)}
 
     def version_check(self, args):

@@ -499,7 +499,8 @@ fn about(limit: f64, direction: [f64; 3]) -> Json {
 
 /// A great component and so many small ones that they count together, though each is lost beside the great one.
 fn of_many_components() -> Case {
-    const MANY: usize = 90_000;
+    // As many as a frame has room for once they are scaled.
+    const MANY: usize = 40_000;
     let (small, limit) = (1.04e-8, 0.5);
     // The norm is the root of 1 + MANY * small^2, which is nearly 1 and a half of that.
     let norm = 1.0 + MANY as f64 * small * small / 2.0;
@@ -512,7 +513,7 @@ fn of_many_components() -> Case {
     let frame = object! { "mode" => "active", "channels" => object! { "wheels" => wheels } };
     case("range/scaled/of-many-components", &["NCP-SAFE-060", "NCP-SAFE-065"], &trace)
         .shows_exactly(steps(vec![object! { "frame" => frame }]))
-        .title("A channel of 90,001 components is scaled by all of them.")
+        .title("A channel of 40,001 components is scaled by all of them.")
         .flags(&["overflowing-norm"])
         .because("The norm is that of all components, and what is sent is not above the limit by more than a rounding.")
 }
