@@ -878,20 +878,7 @@ fn failures_of_one() -> Vec<Case> {
                 request.with("stimulus", object! { "values" => values }).text()
             };
             // What the population that is asked does, of which no step of a request that failed is left.
-            let mut state = if what == "rate" { 0.0 } else { -70.0 };
-            let p = (-0.1_f64).exp();
-            let mut runs = |from: u32, to: u32, x: f64| {
-                let mut values = Vec::new();
-                for _ in from..to {
-                    state = match what {
-                        "rate" => state * p + x * (1.0 - p),
-                        _ => -70.0 + (state + 70.0) * p + x * 10.0 / 250.0 * (1.0 - p),
-                    };
-                    values.push(state);
-                }
-                let times: Vec<f64> = (from + 1..=to).map(f64::from).collect();
-                object! { "out" => object! { "times" => nums(&times), "values" => nums(&values) } }
-            };
+            let mut runs = driven_from_rest(what);
             let before = recorded("a", runs(0, 3, 40.0));
             let after = recorded("a", runs(3, 5, 20.0));
             let trace = vec![
@@ -915,6 +902,25 @@ fn failures_of_one() -> Vec<Case> {
     cases
 }
 
+/// What a population that began at rest records at its port `out` over some steps of one input, step by step.
+fn driven_from_rest(what: &str) -> impl FnMut(u32, u32, f64) -> Json {
+    let is_rate = what == "rate";
+    let mut state = if is_rate { 0.0 } else { -70.0 };
+    let p = (-0.1_f64).exp();
+    move |from, to, x| {
+        let times: Vec<f64> = (from + 1..=to).map(f64::from).collect();
+        let step = |_: &f64| {
+            state = match is_rate {
+                true => state * p + x * (1.0 - p),
+                false => -70.0 + (state + 70.0) * p + x * 10.0 / 250.0 * (1.0 - p),
+            };
+            state
+        };
+        let values: Vec<f64> = times.iter().map(step).collect();
+        object! { "out" => object! { "times" => nums(&times), "values" => nums(&values) } }
+    }
+}
+
 /// A value that came with no step stays in force, also behind a request of another port that fails.
 fn failures_behind_no_step() -> Vec<Case> {
     let kinds = [("rate", "rate", "rate_inject"), ("membrane", "V_m", "current_pA")];
@@ -934,27 +940,14 @@ fn failures_behind_no_step() -> Vec<Case> {
                 let request = Json::read(&step_of("a", Some(time), None));
                 request.with("stimulus", object! { "values" => values }).text()
             };
-            let mut state = if what == "rate" { 0.0 } else { -70.0 };
-            let p = (-0.1_f64).exp();
-            let mut runs = |from: u32, to: u32, x: f64| {
-                let times: Vec<f64> = (from + 1..=to).map(f64::from).collect();
-                let step = |_: &f64| {
-                    state = match what {
-                        "rate" => state * p + x * (1.0 - p),
-                        _ => -70.0 + (state + 70.0) * p + x * 10.0 / 250.0 * (1.0 - p),
-                    };
-                    state
-                };
-                let values: Vec<f64> = times.iter().map(step).collect();
-                recorded("a", object! { "out" => object! { "times" => nums(&times), "values" => nums(&values) } })
-            };
+            let mut runs = driven_from_rest(what);
             // Two inputs of the other population whose sum is beyond the doubles, and then none.
             let trace = vec![
                 (open.text(), opened("a")),
-                (by(3.0, &[("x", 40.0)]), runs(0, 3, 40.0)),
+                (by(3.0, &[("x", 40.0)]), recorded("a", runs(0, 3, 40.0))),
                 (by(nothing, &[("x", 20.0)]), text_of(object! { "kind" => "observation_frame" })),
                 (by(4.0, &[("y", 1.7e308), ("z", 1.7e308)]), error()),
-                (by(2.0, &[("y", 0.0), ("z", 0.0)]), runs(3, 5, 20.0)),
+                (by(2.0, &[("y", 0.0), ("z", 0.0)]), recorded("a", runs(3, 5, 20.0))),
             ];
             cases.push(
                 super::reference(
