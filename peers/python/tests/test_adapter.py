@@ -96,6 +96,12 @@ class Conversation(unittest.TestCase):
         self.assertEqual(answers[0]["error"]["code"], "malformed")
         self.assertEqual(json.loads(answers[1]["result"]["text"])["error"], "x")
 
+    def test_a_long_message_is_given_to_a_module_in_its_own_characters_and_half_a_character_is_refused(self):
+        fields = ({"frame_id": "\u00e9" * 450_000}, {"frame_id": "\ud800"})
+        answers, _ = ask("published_only", *[("encode", {"kind": "sensor_frame", "fields": given}) for given in fields])
+        self.assertEqual(json.loads(answers[0]["result"]["text"])["frame_id"], "\u00e9" * 450_000)
+        self.assertIn("error", answers[1])
+
 
 @unittest.skipIf(os.environ.get("NCP_NO_VERIFIER"), "NCP_NO_VERIFIER is set")
 class Verdicts(unittest.TestCase):
