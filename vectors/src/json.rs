@@ -195,12 +195,24 @@ impl Json {
             }
             Self::Object(members) => {
                 out.push('{');
+                // What is short shares a line as far as it fits, and everything else has its own.
+                let mut room = 0;
                 for (nth, (name, value)) in members.iter().enumerate() {
                     out.push_str(if nth == 0 { "" } else { "," });
-                    new_line(out, indent + 1);
-                    write_string(out, name, true);
-                    out.push_str(": ");
-                    value.write_pretty(out, indent + 1);
+                    let mut member = String::new();
+                    write_string(&mut member, name, true);
+                    member.push_str(": ");
+                    value.write_pretty(&mut member, indent + 1);
+                    let is_short = value.is_short();
+                    if is_short && member.len() + ", ,".len() <= room {
+                        out.push(' ');
+                        room -= member.len() + ", ".len();
+                    } else {
+                        new_line(out, indent + 1);
+                        let left = LINE.saturating_sub(indent + 1 + member.len());
+                        room = if is_short { left } else { 0 };
+                    }
+                    out.push_str(&member);
                 }
                 new_line(out, indent);
                 out.push('}');
@@ -444,6 +456,19 @@ mod tests {
         assert_eq!(numbers.pretty().lines().count(), 1);
         let texts: Json = (0..100).map(|_| "x".repeat(100)).collect();
         assert_eq!(texts.pretty().lines().count(), 102);
+    }
+
+    #[test]
+    fn short_members_share_a_line_as_far_as_it_goes_and_long_ones_have_their_own() {
+        let long = "x".repeat(LINE);
+        let few = object! { "a" => 1, "b" => true, "long" => long.as_str(), "c" => 3, "d" => "e" };
+        let lines: Vec<_> = few.pretty().lines().map(str::to_owned).collect();
+        let own = format!(r#" "long": "{long}","#);
+        assert_eq!(lines, ["{", r#" "a": 1, "b": true,"#, &own, r#" "c": 3, "d": "e""#, "}"]);
+        let many =
+            (0..16).fold(Json::object(), |all, nth| all.with(&format!("{nth:010}"), Json::string("y".repeat(12))));
+        let lines: Vec<_> = many.pretty().lines().map(str::len).collect();
+        assert!(lines.len() < 8 && lines.iter().all(|length| *length <= LINE), "{lines:?}");
     }
 
     #[test]

@@ -77,16 +77,11 @@ fn near(what: &str) -> String {
             swap(digits, |digit| char::from_u32(0xff41 + digit.to_digit(16)?.checked_sub(10)?));
         }
         ("arabic-indic-digit", digits) => swap(digits, |digit| char::from_u32(0x660 + digit.to_digit(10)?)),
-        ("underscore", digits) => {
-            return digits
-                .iter()
-                .enumerate()
-                .flat_map(|(nth, digit)| {
-                    let underscore = (nth == 8).then_some('_');
-                    underscore.into_iter().chain([*digit])
-                })
-                .collect();
-        }
+        ("underscore", digits) => return within(digits, '_'),
+        ("space-within", digits) => return within(digits, ' '),
+        ("hyphen-within", digits) => return within(digits, '-'),
+        ("soft-hyphen-within", digits) => return within(digits, '\u{ad}'),
+        ("accent-within", digits) => return within(digits, '\u{301}'),
         ("byte-swapped", digits) => {
             digits.reverse();
             digits.chunks_exact_mut(2).for_each(<[char]>::reverse);
@@ -95,6 +90,12 @@ fn near(what: &str) -> String {
         (_, digits) => return digits[..digits.len().saturating_sub(1)].iter().collect(),
     }
     digits.into_iter().collect()
+}
+
+/// The digits with something in their middle that some readers pass over.
+fn within(digits: &[char], what: char) -> String {
+    let (front, back) = digits.split_at(digits.len() / 2);
+    front.iter().chain([&what]).chain(back).collect()
 }
 
 /// Puts another character in the place of the first that has one.
