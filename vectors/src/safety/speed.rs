@@ -13,6 +13,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(never_above());
     cases.extend(hairs());
     cases.extend(huge());
+    cases.extend(huge_beside());
     let mut text = Scenarios::read(source!("safety/speed"))?;
     cases.extend(text.cases("signs-of-zero", |row| Ok(row_case(row)?.with_signs()))?);
     cases.extend(text.rest(row_case)?);
@@ -261,6 +262,41 @@ fn huge() -> Vec<Case> {
                         "A norm that overflows a double is above every limit, and its velocity is scaled like every \
                          other.",
                     ),
+            );
+        }
+    }
+    cases
+}
+
+/// The same in a channel of its own width, beside the velocity and in a step.
+fn huge_beside() -> Vec<Case> {
+    let table: [(&str, &[f64]); 4] = [
+        ("one", &[f64::MAX]),
+        ("two", &[1.5e308, -1.5e308]),
+        ("four", &[1e308, 1e308, -1e308, 1e308]),
+        ("squares-of-five", &[0.0, 0.0, 1e200, 0.0, 0.0]),
+    ];
+    let mut cases = Vec::new();
+    for (name, data) in table {
+        // All that are not 0 are alike.
+        let many = data.iter().filter(|x| **x != 0.0).map(|_| 1.0).sum::<f64>();
+        let sign = |x: &f64| if *x == 0.0 { 0.0 } else { x.signum() };
+        let scaled: Vec<_> = data.iter().map(|x| sign(x) * 2.5 / many.sqrt()).collect();
+        let channels = vec![velocity(&[1.0, 0.0, 0.0]), channel("arm", data, Some(MPS))];
+        let mut in_step = Command::moving(&[1.0, 0.0, 0.0]).then(62.5, &[[1.0, 0.0, 0.0]]);
+        in_step.horizon = vec![channels.clone()];
+        let shown = object! { "arm" => object! { "data" => nums(&scaled) } };
+        for (place, command, frame) in [
+            ("beside", Command::of(channels), object! { "mode" => "active", "channels" => shown.clone() }),
+            ("step", in_step, object! { "mode" => "active", "horizon" => Json::Array(vec![shown]) }),
+        ] {
+            let trace = Trace::new(Limits::speed(2.5), vec![govern(command, near())]);
+            cases.push(
+                case(format!("huge/{place}/{name}"), &["NCP-SAFE-061", "NCP-SAFE-065", "NCP-SAFE-060"], &trace)
+                    .shows(steps(vec![object! { "frame" => frame }]))
+                    .title(format!("A channel of {data:?} m/s ({place}) is scaled to the limit as a velocity is."))
+                    .flags(&["overflowing-norm", "first-channel"])
+                    .because("The limit acts on every channel in `m/s`, and scaling keeps its direction and its size."),
             );
         }
     }

@@ -45,7 +45,8 @@ pub(super) fn version(draw: &mut Draw<'_>) -> Tree {
     object([("version", text(version)), ("strict", Json::Bool(draw.chance(50)))])
 }
 
-fn hash(draw: &mut Draw<'_>) -> Option<String> {
+/// A contract hash that a peer may send, or none.
+pub(super) fn hash(draw: &mut Draw<'_>) -> Option<String> {
     match draw.below(6) {
         0 => None,
         1 | 2 => Some(CONTRACT_HASH.to_owned()),

@@ -65,6 +65,9 @@ impl Shapes {
         {
             return near(speed, draw);
         }
+        if draw.chance(2) {
+            return vec![huge(draw), huge(draw), 0.0];
+        }
         let axis = draw.below(5);
         let mut data: Vec<f64> = (0..3)
             .map(|at| {
@@ -121,6 +124,8 @@ impl Shapes {
                     Some(speed) if draw.chance(20) => {
                         data.fill_with(|| speed * draw.range(-24, 24) as f64 / 16.0);
                     }
+                    // Of which the squares leave the doubles, or the norm.
+                    _ if draw.chance(6) => data.fill_with(|| huge(draw)),
                     _ => {}
                 }
                 if width > 0 && draw.chance(2 * self.strange) {
@@ -146,6 +151,10 @@ fn near(speed: f64, draw: &mut Draw<'_>) -> Vec<f64> {
         3 => of(0.6, 0.0, -0.8),
         _ => of(2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0),
     }
+}
+
+fn huge(draw: &mut Draw<'_>) -> f64 {
+    draw.one(&[1e200, 1e308, -1e308, 1.5e308, f64::MAX, f64::MIN])
 }
 
 fn sample(data: &[f64], unit: Tree) -> Tree {
@@ -360,8 +369,14 @@ pub(super) fn governor(draw: &mut Draw<'_>) -> Tree {
     let timeout = limits.timeout;
     let mut clock = Clock::draw(draw);
     let (mut last, mut sensed) = (draw.range(0, 9), clock.now);
+    // How often a reset comes directly behind a step, and a good command behind that.
+    let judged = draw.one(&[0, 0, 0, 40]);
+    let mut then: Vec<Tree> = Vec::new();
     let mut before: Option<Tree> = None;
     let steps = (0..count).map(|_| {
+        if let Some(next) = then.pop() {
+            return next;
+        }
         if draw.chance(links) {
             return object([("op", text("note_link")), ("burst", Json::Bool(draw.chance(bursts)))]);
         }
@@ -389,10 +404,38 @@ pub(super) fn governor(draw: &mut Draw<'_>) -> Tree {
             ("last_sensor_s", told),
         ]);
         before = Some(step.clone());
+        if draw.chance(judged) {
+            last = next_seq(last, draw);
+            then = vec![good(&limits, last, clock.now), object([("op", text("reset"))])];
+        }
         step
     });
     let steps = list(steps.collect());
     object([("limits", limits.tree()), ("capabilities", capabilities), ("steps", steps)])
+}
+
+/// A step whose command passes all gates, where the limits can be kept at all.
+fn good(limits: &Limits, seq: i64, now: f64) -> Tree {
+    let radius = limits.fence.filter(|fence| fence.is_finite() && *fence > 0.0).unwrap_or(1.0);
+    let sensor =
+        object([("seq", int(seq)), ("t", num(seq as f64 / 8.0)), ("channels", position(&[radius / 2.0, 0.0, 0.0]))]);
+    let velocity = sample(&[0.0, radius / 4096.0, 0.0], text("m/s"));
+    let command = object([
+        ("seq", int(seq)),
+        ("t", num(seq as f64 / 8.0)),
+        ("mode", text("active")),
+        ("ttl_ms", num(100.0)),
+        ("channels", map(vec![("velocity_setpoint".to_owned(), velocity)])),
+    ]);
+    let mut step = object([("op", text("govern")), ("command", command), ("now_s", num(now))]);
+    set(&mut step, "sensor", sensor);
+    set(&mut step, "last_sensor_s", num(now));
+    step
+}
+
+/// The channels of a sensor frame that has a position alone.
+fn position(data: &[f64]) -> Tree {
+    map(vec![("pose_position".to_owned(), sample(data, text("m")))])
 }
 
 fn gain(draw: &mut Draw<'_>) -> f64 {
@@ -446,8 +489,14 @@ pub(super) fn control_loop(draw: &mut Draw<'_>) -> Tree {
     let (odd, same) = (draw.one(&[0, 0, 10]), draw.one(&[0, 0, 20, 60]));
     // How far the times of frames are apart: an eighth of a second as a rule, or less than a coarse clock tells.
     let apart = draw.one(&[0.125, 0.125, 0.125, 1.0 / 4096.0, 1.0 / 4_194_304.0]);
+    // How often a reset comes directly behind a frame, and a good frame and a tick behind that.
+    let judged = draw.one(&[0, 0, 0, 20]);
+    let mut then: Vec<Tree> = Vec::new();
     let mut before: Option<Tree> = None;
     let steps = (0..count).map(|_| {
+        if let Some(next) = then.pop() {
+            return next;
+        }
         if draw.chance(resets) {
             return object([("op", text("reset"))]);
         }
@@ -470,6 +519,19 @@ pub(super) fn control_loop(draw: &mut Draw<'_>) -> Tree {
             }
         }
         before = Some(sensor.clone());
+        if draw.chance(judged) {
+            let radius = limits.fence.filter(|fence| fence.is_finite() && *fence > 0.0).unwrap_or(1.0);
+            let mut inside = sensor.clone();
+            seq = if stamped && draw.chance(50) { 1 } else { seq + 1 };
+            set(&mut inside, "seq", int(if stamped { seq } else { 0 }));
+            set(&mut inside, "channels", position(&[radius / 8.0, 0.0, 0.0]));
+            let tick = object([("op", text("tick")), ("now_s", num(now))]);
+            let frame = object([("op", text("sensor")), ("sensor", inside), ("now_s", num(now))]);
+            then = vec![tick.clone(), frame, object([("op", text("reset"))])];
+            if draw.chance(50) {
+                then.push(tick);
+            }
+        }
         object([("op", text("sensor")), ("sensor", sensor), ("now_s", num(now))])
     });
     let steps = list(steps.collect());

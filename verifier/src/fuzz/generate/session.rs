@@ -6,6 +6,7 @@ use ncp_text::WIRE_VERSION;
 
 use super::corrupt::corrupted;
 use super::frames::segment;
+use super::plain::hash;
 use super::{Draw, Menu, Tree, steps};
 use crate::fuzz::tree::{double, int, items, list, literal, map, members, object, set, spelled, string, text};
 use crate::json::Json;
@@ -115,7 +116,8 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
         _ => time(script.dt, 40, draw),
     };
     let sizes = sizes.into_iter().map(|(name, size)| (name.to_owned(), int(i64::try_from(size).unwrap_or(1))));
-    object([
+    let hash = draw.chance(8).then(|| hash(draw)).flatten();
+    let mut open = object([
         ("ncp_version", text(WIRE_VERSION)),
         ("kind", text("open_session")),
         ("session_id", text(id)),
@@ -131,7 +133,12 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
         ("record", object([("targets", list(records))])),
         ("stimulus", object([("targets", list(stimuli))])),
         ("sim", object([("dt_ms", spelled(script.dt)), ("chunk_ms", spelled(chunk))])),
-    ])
+    ]);
+    // Whatever it is, it refuses nothing.
+    if let Some(hash) = hash {
+        set(&mut open, "contract_hash", text(hash));
+    }
+    open
 }
 
 /// A time of at most so many steps: as a rule a whole number of them, else one between them, half-way, near half-way,
