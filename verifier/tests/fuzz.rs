@@ -3,12 +3,13 @@
 #![cfg(unix)]
 #![expect(clippy::unwrap_used, reason = "a test may fail that way")]
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 use ncp_verifier::fuzz::contradictions;
 use ncp_verifier::suite::Suite;
-use serde_json::Value;
+use serde_json::{Value, json};
 use tempfile::TempDir;
 
 fn verify(args: &[&str]) -> Output {
@@ -66,6 +67,16 @@ fn findings(found: &Value) -> &Vec<Value> {
     found["peers"][0]["findings"].as_array().unwrap()
 }
 
+/// What a peer answers to a call.
+fn answer(peer: &str, call: &Value, args: &Value) -> Value {
+    let mut words = peer.split(' ');
+    let mut peer = Command::new(words.next().unwrap());
+    let mut peer = peer.args(words).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    writeln!(peer.stdin.take().unwrap(), "{}", json!({ "id": 1, "call": call, "args": args })).unwrap();
+    let answer: Value = serde_json::from_slice(&peer.wait_with_output().unwrap().stdout).unwrap();
+    answer["result"].clone()
+}
+
 #[test]
 fn a_conforming_peer_differs_nowhere() {
     let peer = format!("python3 {}", python_pure().display());
@@ -98,8 +109,17 @@ fn a_watchdog_that_is_renewed_by_being_asked_is_found_shrunk_saved_and_fails_aga
     assert_eq!(output.status.code(), Some(1), "{}", stdout(&output));
     let findings = findings(&found);
     assert_eq!(findings.len(), 1, "one defect is one finding: {}", stdout(&output));
-    // Six questions show it, and each of them is needed.
-    assert_eq!(findings[0]["args"]["steps"].as_array().unwrap().len(), 6);
+    // Six questions show it, and each of them is needed: without it, the peer answers as one that conforms.
+    let conforming = format!("python3 {}", python_pure().display());
+    let (call, whole) = (&findings[0]["call"], &findings[0]["args"]);
+    let agrees = |args: &Value| answer(&peer, call, args) == answer(&conforming, call, args);
+    assert!(!agrees(whole));
+    assert_eq!(whole["steps"].as_array().unwrap().len(), 6);
+    for gone in 0..6 {
+        let mut fewer = whole.clone();
+        fewer["steps"].as_array_mut().unwrap().remove(gone);
+        assert!(agrees(&fewer), "{fewer}");
+    }
     assert_eq!(findings[0]["smallest"], true);
     assert!(stdout(&output).contains("each of which is needed"), "{}", stdout(&output));
     assert!(findings[0]["rule"].as_str().unwrap().starts_with("NCP-RES-"));
@@ -108,7 +128,6 @@ fn a_watchdog_that_is_renewed_by_being_asked_is_found_shrunk_saved_and_fails_aga
     let (saved, result) = (saved.to_str().unwrap(), result.to_str().unwrap());
     let again = verify(&["run", "--vectors", saved, "--peer-cmd", &peer, "--level", "safety", "--json", result]);
     assert_eq!(again.status.code(), Some(1), "{}", stdout(&again));
-    let conforming = format!("python3 {}", python_pure().display());
     let other = verify(&["run", "--vectors", saved, "--peer-cmd", &conforming, "--level", "safety", "--json", result]);
     assert_eq!(other.status.code(), Some(0), "{}", stdout(&other));
 }

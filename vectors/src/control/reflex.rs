@@ -148,6 +148,23 @@ fn laws() -> Vec<Case> {
             .because("The law has no dead band: it is a product, however small one factor is."),
         );
     }
+    // One term of the law that leaves the doubles, and the other does not lead back.
+    let most = 1.7e308;
+    for (name, kp, kd, position, moving, u) in [
+        ("damping", 1.0, 1e10, [1.0, -1.0, 0.5], [1e300, -1e300, 0.0], [-most, most, -0.5]),
+        ("pull", 1e10, 1.0, [1e300, -1e300, 0.0], [1.0, -1.0, 0.5], [-most, most, -0.5]),
+    ] {
+        let gains = Gains { kp, kd, max_speed: most, target: still };
+        cases.push(
+            of_law(format!("law/beyond-the-doubles/{name}"), gains, position, moving)
+                .shows(commands(&u))
+                .title(format!(
+                    "The reflex controller answers by its law where one term of it leaves the doubles ({}).",
+                    name.replace('-', " ")
+                ))
+                .because("The command is left open only where p − target or both terms leave the doubles, or the other leads back."),
+        );
+    }
     // None given, where only one counts.
     for (name, position, moving) in [
         ("kp", [0.5, -0.75, 1.25], [0.0; 3]),

@@ -67,8 +67,8 @@ impl Gains {
             let given = *given.get(axis)?;
             let (pull, drag) = (self.kp * (p - t), self.kd * v);
             let is_one_beyond = pull.is_finite() != drag.is_finite();
-            // What one term beyond the doubles leaves of itself beside the other is as large as a bound only where
-            // that is huge.
+            // Where one term alone is beyond the doubles, the other leads back to less than max_speed only if that is
+            // huge.
             if !(p - t).is_finite() || !(pull.is_finite() || drag.is_finite()) || is_one_beyond && self.max_speed > HUGE
             {
                 return None;
