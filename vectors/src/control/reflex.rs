@@ -162,7 +162,10 @@ fn laws() -> Vec<Case> {
                     "The reflex controller answers by its law where one term of it leaves the doubles ({}).",
                     name.replace('-', " ")
                 ))
-                .because("The command is left open only where p − target or both terms leave the doubles, or the other leads back."),
+                .because(
+                    "The command is left open only where p − target or both terms leave the doubles, or the other \
+                     leads back.",
+                ),
         );
     }
     // None given, where only one counts.
