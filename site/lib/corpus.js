@@ -77,27 +77,43 @@ function shortened(text) {
   return { text: shown, more: text.length - shown.length };
 }
 
-/** The members of each case as they are written: each begins on a line of its own, at the third level. */
+/** The members of each case as they are written: a case stands between braces of the second level. */
 function writtenMembers(text) {
   const level = /^ */.exec(text.split("\n")[1])[0];
-  const [brace, begin] = [level.repeat(2), new RegExp(`^${level.repeat(3)}"(\\w+)": ([^]*)$`)];
+  const brace = level.repeat(2);
   const cases = [];
-  let member;
+  let lines;
   for (const line of text.split("\n")) {
     if (line === `${brace}{`) {
-      cases.push({});
+      lines = [];
     } else if (line === `${brace}}` || line === `${brace}},`) {
-      member = undefined;
-    } else if (cases.length > 0) {
-      const begins = begin.exec(line);
-      if (begins !== null) {
-        member = begins[1];
-        cases.at(-1)[member] = begins[2];
-      } else if (member !== undefined) {
-        cases.at(-1)[member] += `\n${line.slice(3 * level.length)}`;
-      }
+      cases.push(membersOf(lines.join("\n")));
+      lines = undefined;
+    } else {
+      lines?.push(line.slice(3 * level.length));
     }
   }
-  const closed = (value) => value.replace(/,$/, "");
-  return cases.map((one) => Object.fromEntries(Object.entries(one).map(([name, value]) => [name, closed(value)])));
+  return cases;
+}
+
+/** The members of an object, of which the braces are left out, as they are written, several on a line or each on many. */
+function membersOf(inner) {
+  const members = {};
+  let [depth, from] = [0, 0];
+  const until = (end) => {
+    const [, name, value] = /^\s*"(\w+)": ([^]*)$/.exec(inner.slice(from, end));
+    members[name] = value;
+    from = end + 1;
+  };
+  for (const { 0: token, index } of inner.matchAll(/"(?:[^"\\]+|\\.)*"|[[\]{},]/g)) {
+    if (token === "{" || token === "[") {
+      depth += 1;
+    } else if (token === "}" || token === "]") {
+      depth -= 1;
+    } else if (token === "," && depth === 0) {
+      until(index);
+    }
+  }
+  until(inner.length);
+  return members;
 }
