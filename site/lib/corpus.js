@@ -96,7 +96,7 @@ function writtenMembers(text) {
   return cases;
 }
 
-/** The members of an object, of which the braces are left out, as they are written, several on a line or each on many. */
+/** The members of an object as they are written, of which the braces are left out. */
 function membersOf(inner) {
   const members = {};
   let [depth, from] = [0, 0];

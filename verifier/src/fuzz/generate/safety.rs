@@ -153,6 +153,7 @@ fn near(speed: f64, draw: &mut Draw<'_>) -> Vec<f64> {
     }
 }
 
+/// A number of which the square, or the sum with another such, leaves the doubles.
 fn huge(draw: &mut Draw<'_>) -> f64 {
     draw.one(&[1e200, 1e308, -1e308, 1.5e308, f64::MAX, f64::MIN])
 }
@@ -308,9 +309,14 @@ fn capabilities(draw: &mut Draw<'_>) -> Tree {
     object([("sensor_channels", list(sensors)), ("command_channels", list(commands))])
 }
 
+/// The radius of a fence that can be kept, m; some radius where there is none.
+fn radius(fence: Option<f64>) -> f64 {
+    fence.filter(|fence| fence.is_finite() && *fence > 0.0).unwrap_or(5.0)
+}
+
 /// What a body senses: a position of some kind.
 fn sensor(fence: Option<f64>, seq: i64, odd: u64, strange: u64, draw: &mut Draw<'_>) -> Tree {
-    let radius = fence.filter(|fence| fence.is_finite() && *fence > 0.0).unwrap_or(5.0);
+    let radius = radius(fence);
     let mut position = match draw.below(12) {
         0 => vec![radius, 0.0, 0.0],
         1 => vec![0.0, -radius, 0.0],
@@ -416,7 +422,7 @@ pub(super) fn governor(draw: &mut Draw<'_>) -> Tree {
 
 /// A step whose command passes all gates, where the limits can be kept at all.
 fn good(limits: &Limits, seq: i64, now: f64) -> Tree {
-    let radius = limits.fence.filter(|fence| fence.is_finite() && *fence > 0.0).unwrap_or(1.0);
+    let radius = radius(limits.fence);
     let sensor =
         object([("seq", int(seq)), ("t", num(seq as f64 / 8.0)), ("channels", position(&[radius / 2.0, 0.0, 0.0]))]);
     let velocity = sample(&[0.0, radius / 4096.0, 0.0], text("m/s"));
@@ -427,10 +433,13 @@ fn good(limits: &Limits, seq: i64, now: f64) -> Tree {
         ("ttl_ms", num(100.0)),
         ("channels", map(vec![("velocity_setpoint".to_owned(), velocity)])),
     ]);
-    let mut step = object([("op", text("govern")), ("command", command), ("now_s", num(now))]);
-    set(&mut step, "sensor", sensor);
-    set(&mut step, "last_sensor_s", num(now));
-    step
+    object([
+        ("op", text("govern")),
+        ("command", command),
+        ("now_s", num(now)),
+        ("sensor", sensor),
+        ("last_sensor_s", num(now)),
+    ])
 }
 
 /// The channels of a sensor frame that has a position alone.
@@ -520,7 +529,7 @@ pub(super) fn control_loop(draw: &mut Draw<'_>) -> Tree {
         }
         before = Some(sensor.clone());
         if draw.chance(judged) {
-            let radius = limits.fence.filter(|fence| fence.is_finite() && *fence > 0.0).unwrap_or(1.0);
+            let radius = radius(limits.fence);
             let mut inside = sensor.clone();
             seq = if stamped && draw.chance(50) { 1 } else { seq + 1 };
             set(&mut inside, "seq", int(if stamped { seq } else { 0 }));
