@@ -147,14 +147,14 @@ impl Json {
                 out.push(']');
             }
             Self::Object(members) => {
-                out.push_str(style.open(members.is_empty()));
+                out.push('{');
                 for (nth, (name, value)) in members.iter().enumerate() {
                     style.separate(out, nth);
                     write_string(out, name, style.ascii);
                     out.push_str(if style.spaced { ": " } else { ":" });
                     value.write(out, style);
                 }
-                out.push_str(style.close(members.is_empty()));
+                out.push('}');
             }
         }
     }
@@ -338,14 +338,6 @@ impl Style {
         if nth > 0 {
             out.push_str(if self.spaced { ", " } else { "," });
         }
-    }
-
-    fn open(self, is_empty: bool) -> &'static str {
-        if self.spaced && !is_empty { "{ " } else { "{" }
-    }
-
-    fn close(self, is_empty: bool) -> &'static str {
-        if self.spaced && !is_empty { " }" } else { "}" }
     }
 }
 

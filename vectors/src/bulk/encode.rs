@@ -168,6 +168,17 @@ fn round_trips() -> Vec<Case> {
             .flags(&["low-limits"])
             .because("The field name_len has 16 bits, so the name fits."),
     );
+    let two_long = [("x", 40_000), ("y", 40_001)].map(|(letter, length)| {
+        object! { "name" => Text::repeat(letter, length), "dtype" => "f64", "data" => Json::Array(vec![number(1.5)]) }
+    });
+    let two_long: Json = two_long.into_iter().collect();
+    cases.push(
+        encode("round-trip/names-of-80001-bytes", &["NCP-BULK-030"], two_long.clone())
+            .gives_columns(two_long)
+            .title("Two columns whose names have 80,001 bytes together are written as a block that holds just them.")
+            .flags(&["low-limits"])
+            .because("The length of each name has 16 bits, and nothing bounds that of all together but the block."),
+    );
     cases
 }
 

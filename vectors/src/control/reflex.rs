@@ -7,6 +7,11 @@ use crate::trace::{any, int, name_of, num, nums};
 
 pub(super) fn file() -> File {
     let mut cases = laws();
+    cases.extend(far_from_the_origin());
+    cases.extend(finer_than_24_bits());
+    cases.extend(small_errors());
+    cases.extend(beyond_the_doubles());
+    cases.extend(defaults());
     cases.extend(stamps());
     cases.extend(unusable());
     cases.extend(configs());
@@ -37,6 +42,7 @@ fn damps_nothing(data: &[f64]) -> Json {
     any(vec![commands(data), holds()])
 }
 
+/// The law, at a few places and with a few gains.
 fn laws() -> Vec<Case> {
     let mut cases = Vec::new();
     let places: [(&str, [f64; 3], [f64; 3]); 13] = [
@@ -84,7 +90,12 @@ fn laws() -> Vec<Case> {
             );
         }
     }
-    // What is left of a difference is lost in the products of its ends.
+    cases
+}
+
+/// Bodies and targets far away: what is left of a difference is lost in the products of its ends.
+fn far_from_the_origin() -> Vec<Case> {
+    let mut cases = Vec::new();
     for (name, kp, far) in
         [("tenth", 0.1, 1e15), ("third", 1.0 / 3.0, -1e12), ("seven-tenths", 0.7, 3e14), ("three", 3.0, 1e308)]
     {
@@ -102,7 +113,12 @@ fn laws() -> Vec<Case> {
             .because("The command is \u{2212}kp\u{b7}(p \u{2212} target): the difference comes first."),
         );
     }
-    // Numbers that 24 bits do not hold, each by itself, and all at once.
+    cases
+}
+
+/// Numbers that 24 bits do not hold, each by itself, and all at once.
+fn finer_than_24_bits() -> Vec<Case> {
+    let mut cases = Vec::new();
     let still = [0.0; 3];
     let even = Gains { kp: 1.0, kd: 1.0, max_speed: 100.0, target: still };
     for (name, gains, position, moving) in [
@@ -128,7 +144,13 @@ fn laws() -> Vec<Case> {
                 .because("It is right to one part in 10^9 before it is clamped, and the clamp is exactly max_speed."),
         );
     }
-    // As small as a dead band may be, under a gain that shows it.
+    cases
+}
+
+/// Errors as small as a dead band may be, under a gain that shows them.
+fn small_errors() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let still = [0.0; 3];
     for (name, kp, kd, position, moving) in [
         ("position", 1e9, 0.0, [1e-6, -1e-7, 1e-9], still),
         ("position-further", 1e30, 0.0, [1e-20, -1e-28, 1e-30], still),
@@ -148,13 +170,18 @@ fn laws() -> Vec<Case> {
             .because("The law has no dead band: it is a product, however small one factor is."),
         );
     }
-    // One term of the law that leaves the doubles, and the other does not lead back.
+    cases
+}
+
+/// One term of the law that leaves the doubles, and the other does not lead back.
+fn beyond_the_doubles() -> Vec<Case> {
+    let mut cases = Vec::new();
     let most = 1.7e308;
     for (name, kp, kd, position, moving, u) in [
         ("damping", 1.0, 1e10, [1.0, -1.0, 0.5], [1e300, -1e300, 0.0], [-most, most, -0.5]),
         ("pull", 1e10, 1.0, [1e300, -1e300, 0.0], [1.0, -1.0, 0.5], [-most, most, -0.5]),
     ] {
-        let gains = Gains { kp, kd, max_speed: most, target: still };
+        let gains = Gains { kp, kd, max_speed: most, target: [0.0; 3] };
         cases.push(
             of_law(format!("law/beyond-the-doubles/{name}"), gains, position, moving)
                 .shows(commands(&u))
@@ -168,7 +195,12 @@ fn laws() -> Vec<Case> {
                 ),
         );
     }
-    // None given, where only one counts.
+    cases
+}
+
+/// What holds of a setting that is not given: where only it counts, and beside one that is given.
+fn defaults() -> Vec<Case> {
+    let mut cases = Vec::new();
     for (name, position, moving) in [
         ("kp", [0.5, -0.75, 1.25], [0.0; 3]),
         ("target", [0.0; 3], [0.0; 3]),

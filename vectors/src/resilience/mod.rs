@@ -18,7 +18,7 @@ pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
     let mut files =
         vec![watchdog::file()?, buffer::file()?, estop::file()?, horizon::replay()?, horizon::lengths(), link::file()?];
     files.extend(liveness::files());
-    files.push(endures::file());
+    files.extend([crate::wire::commands(), endures::file()]);
     Ok(files)
 }
 

@@ -12,7 +12,7 @@ use crate::trace::{any, num, text_of};
 use ncp_text::WIRE_VERSION;
 
 pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
-    Ok(vec![life::file()?, frames::file(), numbers::file()])
+    Ok(vec![life::file()?, frames::file(), crate::wire::requests(), numbers::file()])
 }
 
 /// A session of the reference networks.

@@ -25,6 +25,15 @@ pub(super) fn files() -> Vec<File> {
     frames.chain(nested).collect()
 }
 
+/// The file that the cases of a message at a place are in.
+pub(super) fn file_of(place: &Place) -> String {
+    match (place.is_nested(), &place.message.kind) {
+        (false, _) => place.kind.to_owned(),
+        (true, Some(_)) => "stimulus_in_request".to_owned(),
+        (true, None) => snake(&place.message.name),
+    }
+}
+
 /// The cases of one message at one place.
 pub(super) fn cases_at(place: &Place) -> Vec<Case> {
     // What a stimulus frame takes from its request has its own file.

@@ -9,6 +9,7 @@ mod numbers;
 mod pins;
 mod place;
 mod reply;
+mod roads;
 mod session_id;
 mod spellings;
 mod stimulus;
@@ -17,6 +18,7 @@ use crate::case::File;
 use crate::scenario::ScenarioError;
 pub(crate) use members::versions_of_errors;
 pub(crate) use reply::reply;
+pub(crate) use roads::{commands, requests};
 
 /// The rule that a plain value is read as the frame gives it.
 pub(crate) const READ: &str = "NCP-WIRE-034";
@@ -35,6 +37,7 @@ pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
         stimulus::file()?,
         pins::file(),
         reply::file()?,
+        roads::file(),
     ]);
     files.extend(encode::files());
     Ok(files)

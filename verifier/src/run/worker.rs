@@ -719,9 +719,10 @@ impl Process {
         self.sent[self.low..].iter().filter(|(_, answered)| !answered).map(|(index, _)| *index)
     }
 
-    /// How long the peer may be silent: what was asked, and a second more for each MiB in flight.
+    /// How long the peer may be silent: what was asked, and four seconds more for each MiB in flight, a minute at most.
+    /// A long trace is a few MiB of requests, of which each step takes its time, on a slow machine above all.
     fn patience(&self, timeout: Duration) -> Duration {
-        timeout + Duration::from_secs((self.waiting_bytes >> 20) as u64)
+        timeout + Duration::from_secs((self.waiting_bytes >> 18).min(60) as u64)
     }
 
     fn end(mut self, fault: Fault) -> Post {

@@ -55,6 +55,8 @@ pub(super) fn file() -> File {
     cases.extend(neurons::rounded_rests());
     cases.extend(ports::of_no_step());
     cases.extend(ports::own_neurons());
+    cases.extend(ports::joined_names());
+    cases.extend(ports::many_cadences());
     cases.extend(neurons::tiny());
     cases.extend(time::short_steps());
     cases.extend(sessions::opened_otherwise());

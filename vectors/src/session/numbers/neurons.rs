@@ -363,6 +363,8 @@ pub(super) fn slow() -> Vec<Case> {
     let rise = |steps: u32, ratio: f64| -(-f64::from(steps) * ratio).exp_m1();
     let mut cases = Vec::new();
     for (name, dt, tau) in [
+        ("2.4e-8", 0.5, 2.1e7),
+        ("1.6e-8", 1.0, 6.3e7),
         ("8e-9", 1.0, 1.25e8),
         ("1e-8", 1.0, 1e8),
         ("1e-9", 1.0, 1e9),
@@ -549,12 +551,18 @@ pub(super) fn rounded_rests() -> Vec<Case> {
         ("next-below-half", 0.5_f64.next_down(), 1.0),
         ("half", 0.5, 1.0),
         ("next-below-half-of-a-quarter", 0.125_f64.next_down(), 0.25),
+        // Quotients by 0.1 that are less than the products by its inverse, 10.
+        ("next-below-two-tenths", 0.15, 0.1),
+        ("next-below-four-tenths", 0.35, 0.1),
+        ("half-of-tenths", 0.25, 0.1),
     ];
     table
         .into_iter()
         .map(|(name, rest, dt)| {
-            let params = vec![("t_ref", rest), ("I_e", 2000.0)];
-            let (_, _, spikes) = simulate(&params, dt, 20, 2000.0);
+            // So strong that one step, or a few, make it spike.
+            let current = if dt < 0.25 { 40_000.0 } else { 2000.0 };
+            let params = vec![("t_ref", rest), ("I_e", current)];
+            let (_, _, spikes) = simulate(&params, dt, 20, current);
             let open = Open { params, records: vec![record("s", "spikes", 1.0)], dt, ..Open::lif("a") };
             let expected = recorded("a", object! { "s" => samples(&spikes, None) });
             reference(

@@ -122,6 +122,25 @@ pub(super) fn many_ports() -> Vec<Case> {
     cases
 }
 
+/// Many ports that are sampled at two cadences, so that each differs from those that a word of bits takes it for.
+pub(super) fn many_cadences() -> Vec<Case> {
+    let name = |nth: usize| format!("p{nth}");
+    // By the bits of its number and how many there are: 0 and 64, 1 and 257 differ, and so do neighbours.
+    let is_slow = |nth: usize| nth.count_ones() % 2 == 1;
+    let times = |nth: usize| if is_slow(nth) { nums(&[2.0]) } else { nums(&[1.0, 2.0]) };
+    let case = |count: usize| {
+        let records = (0..count).map(|nth| record(&name(nth), "V_m", if is_slow(nth) { 2.0 } else { 1.0 })).collect();
+        let observed = (0..count).map(|nth| (name(nth), object! { "times" => times(nth) })).collect();
+        let open = Open { records, ..Open::lif("a") };
+        let trace =
+            vec![(open.text(), opened("a")), (step("a", Some(2.0), None), recorded("a", Json::Object(observed)))];
+        reference(format!("cadence/of-{count}-ports"), &["NCP-SESS-053"], trace)
+            .title(format!("Each of {count} ports is sampled at its own cadence, at every step or at every second."))
+            .because("The backend samples a port at the end of every step that is a multiple of its own cadence.")
+    };
+    [70, 300].map(case).into()
+}
+
 /// Which ports come back.
 pub(super) fn ports() -> Vec<Case> {
     use crate::trace::exactly;
@@ -366,8 +385,15 @@ pub(super) fn cadences() -> Vec<Case> {
     };
     let mut cases = Vec::new();
     // Half-way between two numbers of steps, which doubles hold: the greater one.
-    for (dt, cadence, rounded) in [(1.0, 0.5, 1.0), (1.0, 2.5, 3.0), (1.0, 4.5, 5.0), (2.0, 5.0, 6.0), (0.5, 0.25, 0.5)]
-    {
+    for (dt, cadence, rounded) in [
+        (1.0, 0.5, 1.0),
+        (1.0, 2.5, 3.0),
+        (1.0, 4.5, 5.0),
+        (2.0, 5.0, 6.0),
+        (0.5, 0.25, 0.5),
+        (0.1, 0.15, 0.1),
+        (0.1, 0.35, 0.3),
+    ] {
         cases.push(
             reference(
                 format!("cadence/half/{cadence}-by-{dt}"),
@@ -667,6 +693,71 @@ pub(super) fn many_named() -> Vec<Case> {
             .because("A stimulus reaches the neurons of its target, the population of that name."),
     );
     cases
+}
+
+/// Names that are equal once they are joined with what stands beside them: of a population with the id of a neuron, of a
+/// population with a port, of a session with a port.
+pub(super) fn joined_names() -> Vec<Case> {
+    let ids = |of: u32| std::iter::once(of).collect::<Json>();
+    let of = |of: Json, target: &str| of.with("target", target.into());
+    let sized = |open: Open, sizes: Json| open.json().edit(&["network", "population_sizes"], |_| sizes).text();
+    // A current that makes a neuron spike in its first step.
+    let strong = 10_000.0;
+    let neuron = |driven: &str, id: u32| {
+        let open = Open {
+            records: [("s", "e", "spikes"), ("s1", "e1", "spikes")]
+                .map(|(port, target, observable)| of(record(port, observable, 1.0), target))
+                .into(),
+            stimuli: vec![of(stimulus("in", "current_pA"), driven).with("ids", ids(id))],
+            ..Open::lif("a")
+        };
+        let spikes = |target: &str| if target == driven { sent(&[1.0], &[id]) } else { sent(&[], &[]) };
+        let records = object! { "s" => spikes("e"), "s1" => spikes("e1") };
+        let trace = vec![
+            (sized(open, object! { "e" => 11_u32, "e1" => 1_u32 }), opened("a")),
+            (step("a", Some(1.0), Some(("in", strong))), recorded("a", records)),
+        ];
+        reference(format!("joined-names/{driven}-{id}"), &["NCP-SESS-052", "NCP-SESS-050"], trace)
+            .title(format!("Neuron {id} of the population `{driven}` spikes, and none of another population."))
+            .because("A neuron's id is its position within its population: 11 of `e` is not 1 of `e1`.")
+    };
+    let after = |current: f64| object! { "values" => nums(&[simulate(&[], 1.0, 1, current).1[0]]) };
+    let open = Open {
+        records: vec![of(record("qr", "V_m", 1.0), "p"), of(record("r", "V_m", 1.0), "pq")],
+        stimuli: vec![of(stimulus("qr", "current_pA"), "p"), of(stimulus("r", "current_pA"), "pq")],
+        ..Open::lif("a")
+    };
+    let port = reference(
+        "joined-names/populations-and-ports".to_owned(),
+        &["NCP-SESS-055", "NCP-SESS-038"],
+        vec![
+            (sized(open, object! { "p" => 1_u32, "pq" => 1_u32 }), opened("a")),
+            (
+                driven_step("a", 1.0, &[("qr", 300.0), ("r", 100.0)]),
+                recorded("a", object! { "qr" => after(300.0), "r" => after(100.0) }),
+            ),
+        ],
+    )
+    .title("The port `qr` of the population `p` and the port `r` of the population `pq` are two.")
+    .because("A port has the name that it was given, whatever the name of its target.");
+    let session = |id: &str, port: &str| {
+        let records = vec![record(port, "V_m", 1.0)];
+        Open { records, stimuli: vec![stimulus(port, "current_pA")], ..Open::lif(id) }.text()
+    };
+    let shows = |port: &str, current: f64| Json::Object(vec![(port.to_owned(), after(current))]);
+    let sessions = reference(
+        "joined-names/sessions-and-ports".to_owned(),
+        &["NCP-SESS-035", "NCP-SESS-038"],
+        vec![
+            (session("a", "bc"), opened("a")),
+            (session("ab", "c"), opened("ab")),
+            (step("a", Some(1.0), Some(("bc", 300.0))), recorded("a", shows("bc", 300.0))),
+            (step("ab", Some(1.0), Some(("c", 100.0))), recorded("ab", shows("c", 100.0))),
+        ],
+    )
+    .title("The port `bc` of the session `a` and the port `c` of the session `ab` are two.")
+    .because("Sessions are kept apart, and so are their ports.");
+    vec![neuron("e", 11), neuron("e1", 1), port, sessions]
 }
 
 /// Sessions of one network that record and are driven by other ports.

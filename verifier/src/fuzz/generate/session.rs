@@ -292,7 +292,15 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         };
         let frame = if draw.chance(versions) { of_other_version(frame, draw) } else { frame };
         let written = if draw.chance(odd) {
-            match draw.below(4) {
+            match draw.below(5) {
+                // What every request has, in another type: a server that looks at the rest alone would do it.
+                4 => {
+                    let mut frame = frame;
+                    let (name, value) =
+                        (draw.pick(&["ncp_version", "session_id"]), draw.pick(&["null", "5", "[]", "{}"]));
+                    set(&mut frame, name, literal(value));
+                    frame.to_string()
+                }
                 0 => draw.pick(&["", "{}", "[]", "null", "\u{feff}", "{\"kind\":\"sensor_frame\"}", "x"]).to_owned(),
                 1 => {
                     let mut frame = frame;
