@@ -331,7 +331,7 @@ const PERIODS_SHORT_IN_SECONDS: [f64; 4] = [125.125, 250.25, 500.1, 1001.0];
 
 fn ttls() -> Vec<Case> {
     let mut cases = Vec::new();
-    for period in [1.0, 20.0, 50.0, 100.0, 120.7, 125.0, 150.0, 166.7, 250.0, 333.4, 500.0, 1000.0, 20_000.0] {
+    for period in [1.0, 20.0, 50.0, 100.0, 110.0, 120.7, 125.0, 150.0, 166.7, 250.0, 333.4, 500.0, 1000.0, 20_000.0] {
         let command = object! { "mode" => "active", "ttl_ms" => within(2.0 * period, f64::MAX) };
         cases.push(
             run(

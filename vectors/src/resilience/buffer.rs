@@ -63,6 +63,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     text.end()?;
     cases.extend(long_streams());
     cases.extend(far_deadlines());
+    cases.extend(older_holds());
     let about = "The action buffer: which command a plant follows, and when it follows none.";
     Ok(File::new("resilience", "buffer", about, cases))
 }
@@ -235,6 +236,44 @@ fn malformed(row: &Row) -> Result<[Case; 2], ScenarioError> {
              next command moves.",
         ),
     ])
+}
+
+/// A HOLD that is older than the last accepted command, and behind it what does not advance: the plant goes on as it
+/// chose, to drop the HOLD or to obey it, until the next command that advances.
+fn older_holds() -> Vec<Case> {
+    let case = |(name, mode, again): (&str, &str, i64)| {
+        let events = [
+            Event::Command(active(5).ttl(4000.0), 1.0),
+            Event::Ask(1.0),
+            Event::Command(active(3).mode(mode), 1.125),
+            Event::Ask(1.125),
+            Event::Command(active(again).ttl(4000.0), 1.25),
+            Event::Ask(1.25),
+            go(6, 1.375),
+            Event::Ask(1.375),
+        ];
+        let (args, ..) = buffer(&events, false);
+        let moving = |x: f64| {
+            let velocity = object! { "data" => nums(&[x, 0.0, 0.0]) };
+            object! { "channels" => object! { "velocity_setpoint" => velocity } }
+        };
+        let goes_on = |entry: Json| {
+            let asked = [moving(5.0), entry.clone(), entry, moving(6.0)];
+            steps(asked.into_iter().flat_map(|entry| [no_result(), entry]).collect())
+        };
+        let still = object! { "channels" => Json::Null };
+        Case::new(format!("hold/older-and-on/{name}"), &["NCP-RES-010", "NCP-RES-020"], &[Role::Body])
+            .call("buffer.run", args)
+            .shows(any(vec![goes_on(moving(5.0)), goes_on(still)]))
+            .by("/steps/1", "NCP-RES-026")
+            .by("/steps/7", "NCP-RES-026")
+            .title(format!(
+                "Behind an older HOLD ({mode}), a command of the seq {again} that does not advance changes nothing."
+            ))
+            .flags(&["revived-command"])
+            .because("A HOLD that is obeyed is a hold like every other, which only a command that advances ends.")
+    };
+    [("duplicate", "hold", 5), ("older", "hold", 4), ("duplicate-of-init", "init", 5)].map(case).into()
 }
 
 /// A command with an unlisted member in front of all others, behind one that it follows.

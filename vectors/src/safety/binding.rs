@@ -260,8 +260,10 @@ fn behind_many() -> Vec<Case> {
 /// Units and names that are the right ones to a reader who stops at a NUL or compares what they look like.
 fn likenesses() -> Vec<Case> {
     let mut cases = Vec::new();
-    let shapes: [(&str, &str, Shape); 2] = [
+    let shapes: [(&str, &str, Shape); 4] = [
         ("nul-within", "with a NUL and more behind it", |text| format!("{text}\0{text}")),
+        ("blanks-within", "with blanks around its stroke", |text| text.replace('/', " / ")),
+        ("blank-before-its-stroke", "with a blank before its stroke", |text| text.replace('/', " /")),
         ("full-width", "in full-width letters", full_width),
     ];
     type Shape = fn(&str) -> String;
@@ -281,7 +283,9 @@ fn likenesses() -> Vec<Case> {
                     .because("Wire strings are compared by their letters, and one that has another is another."),
             );
         };
-        add("unit-of-a-position", "NCP-SAFE-041", fence, None, govern(good(), sensed(POSITION, &m)));
+        if m != M {
+            add("unit-of-a-position", "NCP-SAFE-041", fence, None, govern(good(), sensed(POSITION, &m)));
+        }
         add("unit-of-another-channel", "NCP-SAFE-021", speed, None, govern(other, near()));
         if name == "full-width" {
             add("name-of-a-position", "NCP-SAFE-040", fence, None, govern(good(), sensed(&position, M)));

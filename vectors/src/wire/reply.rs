@@ -19,6 +19,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     text.end()?;
     cases.extend(sizes());
     cases.extend(kinds_of_large());
+    cases.extend(broken_of_large());
     cases.extend(alike());
     cases.extend(malformed_versions()?);
     cases.extend(long_sessions());
@@ -145,6 +146,39 @@ fn kinds_of_large() -> Vec<Case> {
         } else {
             case.rejects("limit").title(format!("A client reports a `session_opened` of 1.5 MiB {words} as an error."))
         }
+    };
+    table.map(case).into()
+}
+
+/// Replies of more than 1 MiB that are broken somewhere: some receivers look less closely at what is large.
+fn broken_of_large() -> Vec<Case> {
+    const SIZE: usize = 3 << 19;
+    let frame = explicit("observation_frame");
+    let text = |frame: Json| frame.text();
+    let records = |observation: &str| text(frame.clone().with("records", Json::read(observation)));
+    let table: [(&str, &'static str, String, &str); 7] = [
+        ("times", "NCP-WIRE-020", records(r#"{"v":{"times":[0.5,"1"]}}"#), "whose record has a time that is a string"),
+        ("senders", "NCP-WIRE-010", records(r#"{"v":{"senders":[1,2.0]}}"#), "whose record has a sender of 2.0"),
+        ("values", "NCP-WIRE-021", records(r#"{"v":{"values":null}}"#), "whose record has values of null"),
+        ("record", "NCP-WIRE-020", records(r#"{"v":{},"w":[]}"#), "of whose records one is an array"),
+        (
+            "records",
+            "NCP-WIRE-020",
+            text(frame.clone().with("records", Json::Array(Vec::new()))),
+            "whose records are an array",
+        ),
+        ("seq", "NCP-WIRE-020", text(frame.clone().with("seq", "1".into())), "whose seq is a string"),
+        ("repeated", "NCP-WIRE-007", text(frame.clone().and("t", Json::literal("1.5"))), "that has its `t` twice"),
+    ];
+    let case = |(name, rule, broken, words): (&str, &'static str, String, &str)| {
+        let rest = broken.strip_prefix('{').unwrap_or(&broken);
+        let reply = Text::concat([r#"{"pad":""#.into(), Text::repeat("x", SIZE), format!("\",{rest}").into()]);
+        Case::new(format!("step_request/broken/large/{name}"), &["NCP-SESS-006", rule], &[Commander])
+            .call("reply.check", object! { "request" => minimal("step_request").text(), "reply" => reply.json() })
+            .flags(&["unchecked-replies"])
+            .title(format!("A client rejects an `observation_frame` of 1.5 MiB {words}."))
+            .because("No decoder accepts such a frame, however large it is.")
+            .rejects("reply")
     };
     table.map(case).into()
 }

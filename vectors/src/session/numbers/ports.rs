@@ -695,8 +695,8 @@ pub(super) fn many_named() -> Vec<Case> {
     cases
 }
 
-/// Names that are equal once they are joined with what stands beside them: of a population with the id of a neuron, of a
-/// population with a port, of a session with a port.
+/// Names that are equal once they are joined with what stands beside them: of a population with the id of a neuron, of
+/// a population with a port, of a session with a port.
 pub(super) fn joined_names() -> Vec<Case> {
     let ids = |of: u32| std::iter::once(of).collect::<Json>();
     let of = |of: Json, target: &str| of.with("target", target.into());
@@ -869,6 +869,25 @@ pub(super) fn of_no_step() -> Vec<Case> {
             .because("A request that comes to no step is answered as every other, with observations of no samples."),
         );
     }
+    // What two such requests give to two ports acts together in the next step.
+    let open = Open {
+        records: vec![record("v", "V_m", 1.0)],
+        stimuli: vec![stimulus("i", "current_pA"), stimulus("k", "current_pA")],
+        ..Open::lif("a")
+    };
+    let after = simulate(&[], 1.0, 1, 350.0).1;
+    let none = || object! { "v" => object! { "times" => nums(&[]) } };
+    let trace = vec![
+        (open.text(), opened("a")),
+        (step("a", Some(0.25), Some(("i", 250.0))), recorded_at("a", 0.0, none())),
+        (step("a", Some(0.25), Some(("k", 100.0))), recorded_at("a", 0.0, none())),
+        (step("a", Some(1.0), None), recorded_at("a", 1.0, object! { "v" => samples(&[1.0], Some(&after)) })),
+    ];
+    cases.push(
+        reference("no-step/of-two-ports".to_owned(), &["NCP-SESS-054", "NCP-SESS-058"], trace)
+            .title("What two requests of no step give to two ports acts in the next step.")
+            .because("The stimulus of a request that comes to no step acts from the next step on, and stays."),
+    );
     cases
 }
 
