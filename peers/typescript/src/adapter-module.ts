@@ -226,7 +226,8 @@ function isFaithful(text: string): boolean {
     return false;
   }
   const names: (Set<string> | undefined)[] = [];
-  for (const [token, colon] of text.matchAll(/"(?:[^"\\]|\\.)*"(\s*:)?|[{}[\]]|-?[0-9][0-9.eE+-]*/g)) {
+  // A string is matched in runs: letter by letter, a long one would exhaust the stack of the expression.
+  for (const [token, colon] of text.matchAll(/"[^"\\]*(?:\\.[^"\\]*)*"(\s*:)?|[{}[\]]|-?[0-9][0-9.eE+-]*/g)) {
     if (token.startsWith('"')) {
       const name = colon === undefined ? undefined : (JSON.parse(token.slice(0, -colon.length)) as string);
       if (name !== undefined && names.at(-1)?.has(name)) return false;
