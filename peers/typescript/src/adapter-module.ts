@@ -236,7 +236,7 @@ function isFaithful(text: string): boolean {
       names.push(token === "{" ? new Set() : undefined);
     } else if ("}]".includes(token)) {
       names.pop();
-    } else if (Number.isInteger(Number(token)) ? !Number.isSafeInteger(Number(token)) || /[.eE]/.test(token) : false) {
+    } else if (Number.isInteger(Number(token)) ? !Number.isSafeInteger(Number(token)) || /[.eE]|^-0/.test(token) : false) {
       return false;
     }
   }
