@@ -149,7 +149,7 @@ fn round_trips() -> Vec<Case> {
             "16,384 characters of four bytes, but for one",
         ),
     ] {
-        let columns = named(name);
+        let columns = named([name]);
         cases.push(
             encode(format!("round-trip/longest-name-of-{what}-bytes"), &["NCP-BULK-030"], columns.clone())
                 .gives_columns(columns)
@@ -160,25 +160,27 @@ fn round_trips() -> Vec<Case> {
                 .because("The field name_len has 16 bits and counts bytes, so the name fits."),
         );
     }
-    let long_name = named(Text::repeat("x", 65535));
-    cases.push(
-        encode("round-trip/longest-name", &["NCP-BULK-030"], long_name.clone())
-            .gives_columns(long_name)
-            .title("A column with a name of 65,535 bytes is written as a block that holds just that.")
+    let table = [
+        (
+            "longest-name",
+            named([Text::repeat("x", 65535)]),
+            "A column with a name of 65,535 bytes is written as a block that holds just that.",
+            "The field name_len has 16 bits, so the name fits.",
+        ),
+        (
+            "names-of-80001-bytes",
+            named([Text::repeat("x", 40_000), Text::repeat("y", 40_001)]),
+            "Two columns whose names have 80,001 bytes together are written as a block that holds just them.",
+            "The length of each name has 16 bits, and nothing bounds that of all together but the block.",
+        ),
+    ];
+    cases.extend(table.map(|(what, columns, title, why)| {
+        encode(format!("round-trip/{what}"), &["NCP-BULK-030"], columns.clone())
+            .gives_columns(columns)
+            .title(title)
             .flags(&["low-limits"])
-            .because("The field name_len has 16 bits, so the name fits."),
-    );
-    let two_long = [("x", 40_000), ("y", 40_001)].map(|(letter, length)| {
-        object! { "name" => Text::repeat(letter, length), "dtype" => "f64", "data" => Json::Array(vec![number(1.5)]) }
-    });
-    let two_long: Json = two_long.into_iter().collect();
-    cases.push(
-        encode("round-trip/names-of-80001-bytes", &["NCP-BULK-030"], two_long.clone())
-            .gives_columns(two_long)
-            .title("Two columns whose names have 80,001 bytes together are written as a block that holds just them.")
-            .flags(&["low-limits"])
-            .because("The length of each name has 16 bits, and nothing bounds that of all together but the block."),
-    );
+            .because(why)
+    }));
     cases
 }
 
@@ -263,7 +265,7 @@ fn refused() -> Vec<Case> {
         ("name-of-131072-bytes", 131_072, "twice what 16 bits hold"),
     ] {
         cases.push(
-            encode(format!("refused/{what}"), &["NCP-BULK-031"], named(Text::repeat("x", bytes)))
+            encode(format!("refused/{what}"), &["NCP-BULK-031"], named([Text::repeat("x", bytes)]))
                 .rejects("block")
                 .title(format!("A name of {bytes} bytes, {says}, is refused."))
                 .flags(&["L21", "truncated-counts"])
@@ -283,7 +285,7 @@ fn refused() -> Vec<Case> {
             _ => format!("refused/name-of-{times}-characters-of-{of}"),
         };
         cases.push(
-            encode(name, &["NCP-BULK-031"], named(Text::repeat(character, times)))
+            encode(name, &["NCP-BULK-031"], named([Text::repeat(character, times)]))
                 .rejects("block")
                 .title(format!("A name of {bytes} bytes in {shown} characters is refused."))
                 .flags(&["L21", "bytes-not-characters"])
@@ -311,8 +313,9 @@ fn refused() -> Vec<Case> {
     cases
 }
 
-/// One column of one value with that name.
-fn named(name: Text) -> Json {
-    let column = object! { "name" => name, "dtype" => "f64", "data" => Json::Array(vec![Json::literal("1.5")]) };
-    Json::Array(vec![column])
+/// Columns of one value with those names.
+fn named<const N: usize>(names: [Text; N]) -> Json {
+    let column =
+        |name: Text| object! { "name" => name, "dtype" => "f64", "data" => Json::Array(vec![Json::literal("1.5")]) };
+    names.map(column).into_iter().collect()
 }

@@ -37,7 +37,7 @@ pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
         stimulus::file()?,
         pins::file(),
         reply::file()?,
-        roads::file(),
+        roads::replies(),
     ]);
     files.extend(encode::files());
     Ok(files)

@@ -13,15 +13,17 @@ use crate::session::{Open, case, error, not_opened, observed, opened, run, stimu
 use crate::trace::{any, no_result, num, nums, steps};
 
 /// Replies, as a client receives them.
-pub(super) fn file() -> File {
+pub(super) fn replies() -> File {
     let pairs = [
         ("open_session", "session_opened"),
         ("step_request", "observation_frame"),
         ("close_session", "session_closed"),
     ];
-    let replies = pairs.map(|(request, kind)| broken(kind).iter().flat_map(|field| replied(request, field)).collect());
-    let about = "Replies with one broken field, as a client receives them.";
-    File::new("wire", "reply_fields", about, replies.into_iter().flat_map(|cases: Vec<Case>| cases).collect())
+    let mut cases = Vec::new();
+    for (request, kind) in pairs {
+        cases.extend(broken(kind).iter().flat_map(|field| replied(request, field)));
+    }
+    File::new("wire", "reply_fields", "Replies with one broken field, as a client receives them.", cases)
 }
 
 /// Requests, as a server receives them.
