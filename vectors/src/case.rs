@@ -283,8 +283,8 @@ impl Case {
 }
 
 /// The lists of arguments that are written as what repeats itself, once, and how often.
-const LISTS_WITH_RUNS: [&str; 8] =
-    ["horizon", "data", "steps", "requests", "sensor_channels", "command_channels", "encoders", "decoders"];
+const LISTS_WITH_RUNS: [&str; 9] =
+    ["horizon", "data", "steps", "requests", "sensor_channels", "command_channels", "encoders", "decoders", "columns"];
 
 /// The text with an exponent in each double that is written out in more than [`FIGURES`] figures, as
 /// `Display` does with the largest and the smallest.

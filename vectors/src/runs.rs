@@ -102,10 +102,14 @@ fn named(plus: Vec<(&str, Json)>) -> Vec<(String, Json)> {
 /// The run at the head of a list in which numbers grow by the same from each item to the next, if it is long.
 fn growing(items: &[Json]) -> Option<Run> {
     let [first, second, ..] = items else { return None };
+    let growth = |one: &Json, next: &Json| match one {
+        Json::Object(_) | Json::String(_) => growth_of(one, next),
+        _ => None,
+    };
     let plus = growth(first, second)?;
     let pairs = items.iter().zip(items.iter().skip(1));
     let count = 1 + pairs.take_while(|(one, next)| growth(one, next).as_ref() == Some(&plus)).count();
-    is_long(first, count).then(|| (count, times(first, count).with("plus", Json::Object(named(plus)))))
+    is_long(first, count).then(|| (count, times(first, count).with("plus", plus)))
 }
 
 fn is_long(first: &Json, count: usize) -> bool {

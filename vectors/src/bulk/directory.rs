@@ -4,6 +4,7 @@ use super::build::{Block, Part, f32s, f64s, golden, i64s};
 use super::{advised, decode, read, read_if_at_all, rejected};
 use crate::case::{Case, File};
 use crate::json::object;
+use crate::names::LONG_NAMES;
 
 pub(super) fn file() -> File {
     let mut cases = dtypes();
@@ -146,12 +147,13 @@ fn names() -> Vec<Case> {
 }
 
 /// Names that are two, though they look alike or are one to who compares them otherwise than letter for letter.
-pub(super) const ALIKE: [(&str, [&str; 2], &str); 5] = [
+pub(super) const ALIKE: [(&str, [&str; 2], &str); 6] = [
     ("cases", ["V_m", "v_m"], "by the case of a letter"),
     ("composed", ["\u{e9}", "e\u{301}"], "by their composition"),
     ("space-last", ["a", "a "], "by a space at the end"),
     ("nul-last", ["ab", "ab\0"], "by U+0000 at the end"),
     ("sharp-s", ["ss", "\u{df}"], "by a letter that is folded into two"),
+    ("of-1024", LONG_NAMES, "in the last of 1,024 letters"),
 ];
 
 /// The block with another place for the name of its first column.

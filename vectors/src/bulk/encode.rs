@@ -8,7 +8,7 @@ use crate::case::Role::Server;
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::template::Text;
-use crate::trace::any;
+use crate::trace::{any, some_text};
 
 pub(super) fn file() -> File {
     let mut cases = vec![
@@ -251,9 +251,15 @@ fn long() -> Vec<Case> {
 
 fn refused() -> Vec<Case> {
     let column = |name: String| object! { "name" => name, "dtype" => "f32", "data" => Json::Array(Vec::new()) };
-    let columns: Json = (0..4097).map(|nth| column(format!("{nth:x}"))).collect();
+    // Names whose numbers grow as a run writes them.
+    let columns = |count: usize| (0..count).map(|nth| column(format!("{{\"c\":{nth}}}"))).collect::<Json>();
     let mut cases = vec![
-        encode("refused/4097-columns", &["NCP-BULK-031"], columns)
+        encode("written/4096-columns", &["NCP-BULK-030"], columns(4096))
+            .shows(object! { "block" => some_text() })
+            .title("4,096 columns are written.")
+            .flags(&["low-limits"])
+            .because("A block may have 4,096 columns, so a decoder by the rules accepts the block."),
+        encode("refused/4097-columns", &["NCP-BULK-031"], columns(4097))
             .rejects("limit")
             .title("4,097 columns are refused.")
             .flags(&["L21", "truncated-counts"])

@@ -19,7 +19,7 @@ pub(super) fn file() -> File {
     cases.extend(extreme());
     cases.extend(points());
     cases.extend(nameless());
-    cases.extend([many(MANY), many(1_100), many(4_000)]);
+    cases.extend([many(MANY), many(1_100), many(4_000), many_of_one(4_200), many_of_one(66_000)]);
     let about = "The decoder of the rate codec: the default UAV codec, ranges, clamps, and the command that is built.";
     File::new("codec", "decode", about, cases)
 }
@@ -218,6 +218,22 @@ fn many(count: u32) -> Case {
     case(manifold(count), &["NCP-CODEC-003"], codec, &[("p", 150.0), ("q", 50.0)])
         .shows(channels(vec![("x", data)]))
         .title(format!("A codec of {count} mappings decodes by each of them."))
+        .because(MANIFOLD)
+}
+
+/// So many mappings of one population to one component, and one of another.
+fn many_of_one(count: u32) -> Case {
+    let mapping = |component: u32, population: &str| {
+        object! { "channel" => "x", "component" => component, "population" => population }
+    };
+    let decoders: Json = (1..count).map(|_| mapping(0, "p")).chain([mapping(1, "q")]).collect();
+    let codec = object! { "encoders" => Json::Array(Vec::new()), "decoders" => decoders };
+    case(manifold(count), &["NCP-CODEC-003"], codec, &[("p", 150.0), ("q", 50.0)])
+        .shows(channels(vec![("x", vec![0.5, -0.5])]))
+        .title(format!(
+            "A codec of {count} mappings, \
+             all but the last of one population to one component, decodes by the last."
+        ))
         .because(MANIFOLD)
 }
 

@@ -18,7 +18,7 @@ pub(super) fn file() -> File {
     cases.extend(extreme());
     cases.extend(points());
     cases.extend(nameless());
-    cases.extend([many(MANY), many(1_100), many(4_000)]);
+    cases.extend([many(MANY), many(1_100), many(4_000), many_of_one(4_200), many_of_one(66_000)]);
     let about = "The encoder of the rate codec: the default UAV codec, ranges, clamps, and what gives the middle of \
                  the rate range.";
     File::new("codec", "encode", about, cases)
@@ -506,6 +506,22 @@ fn many(count: u32) -> Case {
         .because(MANIFOLD)
 }
 
+/// So many mappings of one component to one population, and one of another.
+fn many_of_one(count: u32) -> Case {
+    let mapping = |component: u32, population: &str| {
+        object! { "channel" => "x", "component" => component, "population" => population }
+    };
+    let mappings: Json = (1..count).map(|_| mapping(0, "p")).chain([mapping(1, "q")]).collect();
+    let codec = object! { "encoders" => mappings, "decoders" => Json::Array(Vec::new()) };
+    case(manifold(count), &["NCP-CODEC-001"], codec, sensor(&[("x", &[0.5, -0.5])]))
+        .shows(rates(&[("p", 150.0), ("q", 50.0)]))
+        .title(format!(
+            "A codec of {count} mappings, \
+             all but the last of one component to one population, encodes by the last."
+        ))
+        .because(MANIFOLD)
+}
+
 /// Components that a careless name for them confuses: written together with their channel, or of channels whose names
 /// are alike.
 fn alike() -> Vec<Case> {
@@ -557,7 +573,7 @@ fn alike() -> Vec<Case> {
 
 /// The same names of populations, each of which is driven by a component of one channel.
 fn alike_populations(name: &str, components: &[(&'static str, u32)], words: &str) -> Option<Case> {
-    if !matches!(name, "names" | "letters" | "nul") {
+    if !matches!(name, "names" | "letters" | "nul" | "names-of-1024") {
         return None;
     }
     let (mut mappings, mut data, mut expected) = (Vec::new(), Vec::new(), Vec::new());
@@ -567,7 +583,7 @@ fn alike_populations(name: &str, components: &[(&'static str, u32)], words: &str
         data.push(value);
         expected.push((population, map(value, PLAIN.value, PLAIN.rate)));
     }
-    let words = words.replace("of channels whose names", "that");
+    let words = words.replace("of channels whose names", "that").replace("of channels whose long names", "that");
     let case = case(
         format!("alike/populations/{name}"),
         &["NCP-CODEC-001", "NCP-CODEC-002"],

@@ -5,6 +5,7 @@ mod encode;
 
 use crate::case::File;
 use crate::json::{Json, object};
+use crate::names::LONG_NAMES;
 use crate::trace::{any, num, nums, within};
 
 pub(crate) fn files() -> Vec<File> {
@@ -197,7 +198,7 @@ const SHARES: [Share; 6] = [
 /// A name, components that are easily confused with each other, by their channel and their number, and what they are.
 type Alike = (&'static str, &'static [(&'static str, u32)], &'static str);
 
-const ALIKE: [Alike; 7] = [
+const ALIKE: [Alike; 8] = [
     (
         "joined",
         &[("ray1", 0), ("ray", 10), ("ray11", 1), ("ray1", 11), ("ray", 111), ("ray1", 1), ("ray", 11)],
@@ -242,6 +243,11 @@ const ALIKE: [Alike; 7] = [
             ("a_channe", 0),
         ],
         "of channels whose long names begin alike",
+    ),
+    (
+        "names-of-1024",
+        &[(LONG_NAMES[0], 0), (LONG_NAMES[1], 0)],
+        "of channels whose long names agree in 1,023 characters",
     ),
     (
         "letters",

@@ -5,6 +5,7 @@ use super::{case, good, near, row_case};
 use crate::case::{Case, File};
 use crate::command::{Command, M, MPS, POSITION, VELOCITY, channel, velocity};
 use crate::json::object;
+use crate::names::LONG_NAMES;
 use crate::scenario::{ScenarioError, Scenarios, full_width, source};
 use crate::trace::{anything, steps};
 
@@ -19,6 +20,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(text.rest(row_case)?);
     cases.extend(behind_many());
     cases.extend(likenesses());
+    cases.push(long_names());
     let about = "How limits bind to the negotiated channels: by name, in their unit, and closed when they cannot.";
     Ok(File::new("safety", "binding", about, cases))
 }
@@ -79,6 +81,26 @@ fn order() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// Two channels without a unit, of which one is in m/s and the other is not; their names differ in the last letter.
+fn long_names() -> Case {
+    let [one, other] = LONG_NAMES;
+    let capabilities = Capabilities::canonical(&[vec3(one, Some("N")), vec3(other, Some(MPS))]);
+    let command = Command::of(vec![
+        velocity(&[1.0, 0.0, 0.0]),
+        channel(one, &[0.0, 30.0, 40.0], None),
+        channel(other, &[0.0, 3.0, 4.0], None),
+    ]);
+    let step = govern(command, Sensor::at(&[0.0; 3]));
+    case(
+        "beside/names-of-1024".to_owned(),
+        &["NCP-SAFE-042", "NCP-SAFE-065"],
+        &Trace::negotiated(Limits::speed(2.0), capabilities, vec![step]),
+    )
+    .title("Of two channels without a unit whose names agree in 1,023 characters, the one in m/s obeys the limit.")
+    .flags(&["L10"])
+    .because("A channel without a unit is read in the one that was negotiated for it, whatever its neighbours are in.")
 }
 
 /// Limits that are no limits.

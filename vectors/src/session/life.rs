@@ -389,6 +389,7 @@ fn refused_beside() -> Vec<Case> {
 /// Requests of just so many bytes as a frame may have: what refuses them may not quote them whole.
 fn long_requests() -> Vec<Case> {
     const FRAME: usize = 1 << 20;
+    const CONTROL: &str = "\u{85}";
     let frame = |kind: &str| object! { "ncp_version" => WIRE_VERSION, "kind" => kind, "session_id" => "a" };
     let network = |reference: &str| frame("open_session").with("network", object! { "ref" => reference });
     let stimulus = |name: &str, value: Json| {
@@ -397,21 +398,21 @@ fn long_requests() -> Vec<Case> {
     };
     let port = stimulus("~", object! { "data" => nums(&[1.0]) });
     let opening = || text_of(object! { "kind" => "session_opened" });
+    let version = || network("ncp.reference.lif").with("ncp_version", "~".into());
     // A frame with a tilde where the long text stands, and of what that is.
-    let table: [(&str, &str, Json, &str, Json, &'static str); 10] = [
+    let table: [(&str, &str, Json, &str, Json, &'static str); 15] = [
         ("kind", "kind", frame("~"), "x", error(), "NCP-SESS-022"),
         ("kind-of-escapes", "kind", frame("~"), "\\u0001", error(), "NCP-SESS-022"),
         ("session", "session", frame("step_request").with("session_id", "~".into()), "x", error(), "NCP-SESS-026"),
         ("network", "network", network("~"), "x", any(vec![opening(), error()]), "NCP-SESS-021"),
-        (
-            "version",
-            "version",
-            network("ncp.reference.lif").with("ncp_version", "~".into()),
-            "x",
-            any(vec![not_opened("a"), error()]),
-            "NCP-SESS-023",
-        ),
-        ("port", "port", port, "x", any(vec![observation("a"), error()]), "NCP-SESS-037"),
+        ("version", "version", version(), "x", any(vec![not_opened("a"), error()]), "NCP-SESS-023"),
+        ("port", "port", port.clone(), "x", any(vec![observation("a"), error()]), "NCP-SESS-037"),
+        // Of two bytes, and written as an escape by who shows it, or writes ASCII alone: of five or six.
+        ("kind-of-controls", "kind", frame("~"), CONTROL, error(), "NCP-SESS-022"),
+        ("network-of-controls", "network", network("~"), CONTROL, any(vec![opening(), error()]), "NCP-SESS-021"),
+        ("version-of-controls", "version", version(), CONTROL, any(vec![not_opened("a"), error()]), "NCP-SESS-023"),
+        ("port-of-controls", "port", port, CONTROL, any(vec![observation("a"), error()]), "NCP-SESS-037"),
+        ("name-of-controls", "name", stimulus("~", 5.into()), CONTROL, error(), "NCP-SESS-021"),
         // Who quotes so many bytes of it cuts a character in one of two.
         ("kind-of-three-bytes", "kind", frame("~"), "\u{20ac}", error(), "NCP-SESS-022"),
         ("kind-of-three-bytes-and-one", "kind", frame("x~"), "\u{20ac}", error(), "NCP-SESS-022"),
@@ -427,9 +428,9 @@ fn long_requests() -> Vec<Case> {
         let behind = format!("{behind}{}", " ".repeat(padding));
         let long = Text::concat([before.into(), Text::repeat(of, times), behind.into()]);
         // A network that is opened after all would keep its session open.
-        let id = if name == "network" { "b" } else { "a" };
+        let id = if words == "network" { "b" } else { "a" };
         let goes_on = |time: f64| (step_of(id, Some(5.0), None), observed(id, time));
-        let trace = match name {
+        let trace = match words {
             "port" => vec![open(id), goes_on(5.0), (frame.clone(), reply), (step_of(id, None, None), observation(id))],
             _ => vec![(frame.clone(), reply), open(id), goes_on(5.0)],
         };
@@ -1281,10 +1282,11 @@ fn abandoned() -> Vec<Case> {
 
 /// The first of many sessions. Whether the server has room for the others is its own affair; the first stays open.
 fn crowds() -> Vec<Case> {
-    // There are many, so that each is as short as it may be.
+    // There are many, so that the number in their ids is one that a run writes once.
     let brief = |nth: usize| {
         let network = object! { "ref" => "ncp.reference.lif" };
-        object! { "kind" => "open_session", "session_id" => format!("s{nth}"), "network" => network }.text()
+        let id = format!("{{\"s\":{nth}}}");
+        object! { "kind" => "open_session", "session_id" => id, "network" => network }.text()
     };
     let of = |others: usize| {
         let opened = (1..=others).map(|nth| (brief(nth), anything())).collect();
@@ -1292,7 +1294,7 @@ fn crowds() -> Vec<Case> {
             .title(format!("A session goes on after {others} others were opened, or refused."))
             .because("A server keeps sessions apart: what is done to one, such as opening it, changes no other.")
     };
-    [33, 130, 257, 520].map(of).into()
+    [33, 130, 257, 520, 4_100].map(of).into()
 }
 
 /// A session that is stepped before and behind other requests, and closed; or was not opened by a server without such

@@ -719,16 +719,20 @@ impl Process {
         self.sent[self.low..].iter().filter(|(_, answered)| !answered).map(|(index, _)| *index)
     }
 
-    /// How long the peer may be silent: what was asked, and four seconds more for each MiB in flight, a minute at most.
-    /// A long trace is a few MiB of requests, of which each step takes its time, on a slow machine above all.
     fn patience(&self, timeout: Duration) -> Duration {
-        timeout + Duration::from_secs((self.waiting_bytes >> 18).min(60) as u64)
+        patience(timeout, self.waiting_bytes)
     }
 
     fn end(mut self, fault: Fault) -> Post {
         let ending = self.connection.kill();
         Post { fault, ending, log: self.connection.log() }
     }
+}
+
+/// How long a peer may be silent: what was asked, and four seconds more for each MiB in flight, a minute at most.
+/// A long trace is a few MiB of requests, of which each step takes its time, on a slow machine above all.
+fn patience(timeout: Duration, bytes_in_flight: usize) -> Duration {
+    timeout + Duration::from_secs((bytes_in_flight >> 18).min(60) as u64)
 }
 
 impl Fault {
@@ -753,5 +757,18 @@ impl Post {
             Fault::Garbage { why, .. } => format!("printed something that is no answer: {why}"),
             Fault::Strays => format!("answered more than {MAX_STRAYS} requests twice"),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_peer_may_be_silent_four_seconds_longer_for_each_mebibyte_and_a_minute_at_most() {
+        const MIB: usize = 1 << 20;
+        let more_s = |bytes| (patience(Duration::from_secs(10), bytes) - Duration::from_secs(10)).as_secs();
+        assert_eq!([0, 1_000, MIB, 5 * MIB].map(more_s), [0, 0, 4, 20]);
+        assert_eq!([15 * MIB, 64 * MIB, usize::MAX].map(more_s), [60; 3]);
     }
 }

@@ -5,7 +5,7 @@
 //! the two, `{"$concat": [part, …]}`, `{"$base64": template}`. In a list, `{"$item": value, "times": 1000}` stands for
 //! so many equal items, and with `"plus": {"seq": 1}` for items whose number of that name grows by so much from each
 //! to the next, or with `"plus": {"text": {"seq": 1}}` that of their object of the name `text`, or the integer behind
-//! `"seq":` in their string of that name.
+//! `"seq":` in their string of that name; items that are strings grow by the integer behind `"seq":`.
 //! `{"$items": [one, two], "times": 1000}` stands for so many rounds of several items, and with `"plus": [{…}, {…}]`
 //! for rounds in which each grows from one to the next as the object at its place says. Peers never see them.
 
@@ -264,6 +264,10 @@ impl<'v> Growth<'v> {
     /// The members of an object that grow so in as many rounds.
     fn all(object: &'v Json<'_>, plus: &'v Json<'_>, times: usize) -> Option<Vec<Self>> {
         let Json::Object(plus) = plus else { return None };
+        // A string grows as a whole.
+        if let Json::String(text) = object {
+            return Some(vec![Self { member: "", what: Self::within(text, plus, times)? }]);
+        }
         plus.iter().map(|(member, by)| Self::of(object, member, by, times)).collect()
     }
 
@@ -273,18 +277,21 @@ impl<'v> Growth<'v> {
         let (_, value) = members.iter().find(|(known, _)| known == member)?;
         let what = match (value, by) {
             (Json::Number(first), Json::Number(by)) => Growing::Itself(Numbers::of(first, by, times)?),
-            (Json::String(text), Json::Object(within)) => {
-                let [(name, Json::Number(by))] = within.as_slice() else { return None };
-                let (before, first, after) = integer_within(text, name)?;
-                let numbers = Numbers::of(first, by, times)?;
-                Some(Growing::Within(before, numbers, after)).filter(|_| by.parse::<i64>().is_ok())?
-            }
+            (Json::String(text), Json::Object(within)) => Self::within(text, within, times)?,
             (Json::Object(_), Json::Object(within)) if !within.is_empty() => {
                 Growing::Members(Self::all(value, by, times)?)
             }
             _ => return None,
         };
         Some(Self { member, what })
+    }
+
+    /// How a string grows whose one integer of that name grows so in as many rounds.
+    fn within(text: &'v str, plus: &'v [(Cow<'_, str>, Json<'_>)], times: usize) -> Option<Growing<'v>> {
+        let [(name, Json::Number(by))] = plus else { return None };
+        let (before, first, after) = integer_within(text, name)?;
+        let numbers = Numbers::of(first, by, times)?;
+        by.parse::<i64>().is_ok().then_some(Growing::Within(before, numbers, after))
     }
 
     /// The member in a round.
@@ -307,17 +314,24 @@ impl<'v> Growth<'v> {
     }
 }
 
-/// An object of a round, by what of it grows.
-fn grown<'a>(object: &Json<'a>, plus: &[Growth<'_>], nth: usize) -> Json<'a> {
-    let mut object = object.clone();
-    if let Json::Object(members) = &mut object {
-        for (name, value) in members {
-            if let Some(growth) = plus.iter().find(|growth| growth.member == name) {
-                *value = growth.nth(value, nth);
+/// An item of a round, an object or a string, by what of it grows.
+fn grown<'a>(item: &Json<'a>, plus: &[Growth<'_>], nth: usize) -> Json<'a> {
+    let mut item = item.clone();
+    match &mut item {
+        Json::Object(members) => {
+            for (name, value) in members {
+                if let Some(growth) = plus.iter().find(|growth| growth.member == name) {
+                    *value = growth.nth(value, nth);
+                }
+            }
+        }
+        whole => {
+            if let [growth] = plus {
+                *whole = growth.nth(whole, nth);
             }
         }
     }
-    object
+    item
 }
 
 /// The spelling behind the first `"name":` of a JSON text, and what stands before and behind it, if it is an integer.
@@ -578,6 +592,8 @@ mod tests {
         assert_eq!(expand(within), format!("[{},{},{}]", text(-1), text(1), text(3)));
         let nested = r#"[{"$item": {"a": {"b": {"n": 5}, "n": 1}}, "times": 2, "plus": {"a": {"b": {"n": 1}}}}]"#;
         assert_eq!(expand(nested), r#"[{"a":{"b":{"n":5},"n":1}},{"a":{"b":{"n":6},"n":1}}]"#);
+        let whole = r#"[{"$item": "{\"s\":\"{\\\"n\\\":4}\"}", "times": 2, "plus": {"n\\": 1}}]"#;
+        assert_eq!(expand(whole), r#"["{\"s\":\"{\\\"n\\\":4}\"}","{\"s\":\"{\\\"n\\\":5}\"}"]"#);
         let timed = r#"[{"$item": {"now_s": 8.0}, "times": 3, "plus": {"now_s": 0.125}}]"#;
         assert_eq!(expand(timed), r#"[{"now_s":8.0},{"now_s":8.125},{"now_s":8.25}]"#);
         assert_eq!(expand(r#"[0, {"$items": [1, "a"], "times": 3}, 2]"#), r#"[0,1,"a",1,"a",1,"a",2]"#);

@@ -4,6 +4,7 @@ use super::neurons::next_rate;
 use super::{WHY, driven_step, recorded_at, samples, sent, simulate};
 use crate::case::Case;
 use crate::json::{Json, object};
+use crate::names::LONG_NAMES;
 use crate::session::{
     Open, close, error, not_opened, observation, observed, opened, record, recorded, reference, replies, run, step,
     stimulus,
@@ -237,8 +238,9 @@ pub(super) fn alike() -> Vec<Case> {
     let of = |port: &str, target: &str, id: u32| {
         record(port, "V_m", 5.0).with("target", target.into()).with("ids", ids(&[id]))
     };
-    type Row<'a> = (&'static str, &'static [(&'static str, u32)], [(&'static str, u32); 2], &'a str);
-    let table: [Row<'_>; 6] = [
+    type Row<'a> = (&'static str, &'a [(&'a str, u32)], [(&'a str, u32); 2], &'static str);
+    let long = LONG_NAMES.map(|name| (name, 1));
+    let table: [Row<'_>; 7] = [
         ("population-and-neuron", &[("a", 11), ("a1", 1)], [("a1", 1), ("a", 11)], "NCP-SESS-055"),
         ("neuron-and-population", &[("a", 11), ("1a", 1)], [("1a", 1), ("a", 11)], "NCP-SESS-055"),
         ("cases", &[("pop", 1), ("Pop", 1)], [("Pop", 1), ("pop", 1)], "NCP-SESS-055"),
@@ -250,6 +252,7 @@ pub(super) fn alike() -> Vec<Case> {
             [("population_12", 1), ("population_1", 1)],
             "NCP-SESS-055",
         ),
+        ("names-of-1024", &long, long, "NCP-SESS-055"),
     ];
     for (name, sizes, [driven, other], rule) in table {
         let sizes: Json = Json::Object(sizes.iter().map(|(name, size)| ((*name).to_owned(), (*size).into())).collect());
@@ -269,10 +272,15 @@ pub(super) fn alike() -> Vec<Case> {
         let trace = vec![(text, opened("a")), (step("a", Some(5.0), Some(("in", 300.0))), recorded("a", records))];
         cases.push(
             reference(format!("alike/{name}"), &[rule], trace)
-                .title(format!(
-                    "A current into neuron {} of `{}` does not reach neuron {} of `{}`.",
-                    driven.1, driven.0, other.1, other.0
-                ))
+                .title(if name == "names-of-1024" {
+                    "A current into one of two populations whose long names begin alike does not reach the other."
+                        .to_owned()
+                } else {
+                    format!(
+                        "A current into neuron {} of `{}` does not reach neuron {} of `{}`.",
+                        driven.1, driven.0, other.1, other.0
+                    )
+                })
                 .because(
                     "A stimulus reaches the neurons of its target that its `ids` name, and no others, whatever they \
                      are called.",
