@@ -12,7 +12,8 @@
 //! | `wire`, `version`, `keys`, `bulk`, `hostile` | the cases of an area, a module each: what is read and written |
 //! | `safety`, `resilience`, `codec`, `control`, `session`, `strict` | likewise: what moves a plant, and sessions |
 //! | `scenario`, `patch` | scenario text: the tables of cases in `scenarios/`, and changes of frames in them |
-//! | `case`, `template`, `json`, `trace`, `flags`, `roles`, `runs`, `names` | what a case consists of, and how it is written |
+//! | `case`, `template`, `json`, `trace`, `flags`, `roles`, `runs` | what a case consists of, and how it is written |
+//! | `names` | names that are hard to tell apart |
 //! | `second` | the models as a second source of traces that were drawn at random |
 //! | `foundations` | on which cases a case rests |
 //! | `model`, `command` | what a frame means by the tables of the text, and the command frame |
