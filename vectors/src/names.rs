@@ -20,9 +20,76 @@ const fn as_name(bytes: &'static [u8]) -> &'static str {
     }
 }
 
+/// Names, each with those that a careless comparison takes for it: without a look at case, form, width, white space,
+/// marks, what is not seen, or the spelling of a number, or by a hash.
+const ALIKE: [(&str, &[&str]); 13] = [
+    (
+        "name-1",
+        &[
+            "name_1",
+            "name.1",
+            "name 1",
+            "name:1",
+            "name1",
+            "name-01",
+            "name-1.0",
+            "name-\u{661}",
+            "name-\u{b9}",
+            "Name-1",
+            "NAME-1",
+            " name-1",
+            "name-1 ",
+            "name-1\t",
+            "name-1\n",
+            "name-1\0",
+            "name-1\0x",
+            "name-1;x",
+            "name-\u{ff11}",
+            "name\u{2010}1",
+            "na\u{ad}me-1",
+            "na\u{200d}me-1",
+            "\u{feff}name-1",
+            "name-1\u{fe0f}",
+            "name-1\u{a0}",
+            "\"name-1\"",
+            "name-11",
+            "name-",
+            "1-name",
+            "ame-1",
+            "n\u{430}me-1",
+        ],
+    ),
+    ("\u{e9}", &["e\u{301}", "e", "\u{c9}", "\\u00e9", "\u{c3}\u{a9}", "%C3%A9"]),
+    ("k", &["K", "\u{212a}"]),
+    ("\u{b5}", &["\u{3bc}"]),
+    ("\u{c5}", &["\u{212b}", "A\u{30a}"]),
+    ("ss", &["\u{df}", "\u{1e9e}"]),
+    ("i", &["\u{131}", "\u{130}", "I"]),
+    ("\u{3c3}", &["\u{3c2}"]),
+    ("\u{10428}", &["\u{10400}", "\u{428}"]),
+    ("1", &["01", "1.0", "1e0", "+1", "0x1", "true"]),
+    ("Aa", &["BB"]),
+    ("plumless", &["buckeroo"]),
+    ("costarring", &["liquid"]),
+];
+
+/// All of those names, and whether each is one that the others behind it are like.
+pub(crate) fn alike() -> impl Iterator<Item = (&'static str, bool)> {
+    ALIKE
+        .into_iter()
+        .flat_map(|(name, like)| std::iter::once((name, true)).chain(like.iter().map(|name| (*name, false))))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_that_are_alike_are_not_the_same() {
+        let all: Vec<&str> = alike().map(|(name, _)| name).collect();
+        let apart: std::collections::BTreeSet<&str> = all.iter().copied().collect();
+        assert_eq!(all.len(), apart.len());
+    }
 
     #[test]
     fn long_names_differ_in_their_last_character() {

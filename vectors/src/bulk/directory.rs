@@ -4,7 +4,7 @@ use super::build::{Block, Part, f32s, f64s, golden, i64s};
 use super::{advised, decode, read, read_if_at_all, rejected};
 use crate::case::{Case, File};
 use crate::json::object;
-use crate::names::LONG_NAMES;
+use crate::names::{self, LONG_NAMES};
 
 pub(super) fn file() -> File {
     let mut cases = dtypes();
@@ -134,6 +134,15 @@ fn names() -> Vec<Case> {
                 .because("A name is its name_len bytes of UTF-8, whichever they are."),
         );
     }
+    let block = Block::new(
+        (1_u32..).zip(names::alike()).map(|(nth, (name, _))| f64s(name, [f64::from(nth)])).collect::<Vec<_>>(),
+    );
+    cases.push(
+        read("name/alike/all".to_owned(), &["NCP-BULK-021"], &block)
+            .title("Columns whose names are alike are read each with its own.")
+            .flags(&["changed-segments"])
+            .because("Names are the same when their bytes are: a decoder gives each column with its name."),
+    );
     for (what, [one, other], says) in ALIKE {
         let block = Block::new([f64s(one, [1.5]), f64s(other, [2.5])]);
         cases.push(

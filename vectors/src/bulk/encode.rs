@@ -7,6 +7,7 @@ use super::{columns_json, many};
 use crate::case::Role::Server;
 use crate::case::{Case, File};
 use crate::json::{Json, object};
+use crate::names;
 use crate::template::Text;
 use crate::trace::{any, some_text};
 
@@ -117,6 +118,8 @@ fn round_trips() -> Vec<Case> {
             "Columns of which no part ends at a multiple of eight".to_owned(),
         ),
     ]);
+    let all = (1_u32..).zip(names::alike()).map(|(nth, (name, _))| f64s(name, [f64::from(nth)]));
+    table.push(("names-alike/all".to_owned(), all.collect(), "Columns whose names are alike".to_owned()));
     table.extend(ALIKE.map(|(what, [one, other], says)| {
         let columns = vec![f64s(one, [1.5]), f64s(other, [2.5])];
         (format!("names-alike/{what}"), columns, format!("Two columns whose names differ {says}"))

@@ -2,11 +2,12 @@
 
 use super::{
     ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, PLAIN, POINT, POINTEDLY,
-    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDELY, codec, manifold, map, maps, narrow, pairs,
-    precisely, widely,
+    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDELY, codec, manifold, map, mappings_in_turn,
+    mappings_of_names, mappings_of_one, maps, narrow, pairs, precisely, widely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
+use crate::names;
 use crate::trace::{any, int, name_of, num, nums, within};
 
 pub(super) fn file() -> File {
@@ -19,6 +20,7 @@ pub(super) fn file() -> File {
     cases.extend(extreme());
     cases.extend(points());
     cases.extend(nameless());
+    cases.extend(of_all_names());
     cases.extend([many(MANY), many(1_100), many(4_000), many_of_one(4_200), many_of_one(66_000)]);
     let about = "The decoder of the rate codec: the default UAV codec, ranges, clamps, and the command that is built.";
     File::new("codec", "decode", about, cases)
@@ -208,12 +210,7 @@ fn nameless() -> Vec<Case> {
 
 /// So many mappings, of which the last two have a population of their own.
 fn many(count: u32) -> Case {
-    let mapping = |nth: u32| {
-        let population = if nth < count - 2 { "p" } else { "q" };
-        object! { "channel" => "x", "component" => nth, "population" => population }
-    };
-    let decoders: Json = (0..count).map(mapping).collect();
-    let codec = object! { "encoders" => Json::Array(Vec::new()), "decoders" => decoders };
+    let codec = object! { "encoders" => Json::Array(Vec::new()), "decoders" => mappings_in_turn(count) };
     let data = [vec![0.5; count as usize - 2], vec![-0.5; 2]].concat();
     case(manifold(count), &["NCP-CODEC-003"], codec, &[("p", 150.0), ("q", 50.0)])
         .shows(channels(vec![("x", data)]))
@@ -223,11 +220,7 @@ fn many(count: u32) -> Case {
 
 /// So many mappings of one population to one component, and one of another.
 fn many_of_one(count: u32) -> Case {
-    let mapping = |component: u32, population: &str| {
-        object! { "channel" => "x", "component" => component, "population" => population }
-    };
-    let decoders: Json = (1..count).map(|_| mapping(0, "p")).chain([mapping(1, "q")]).collect();
-    let codec = object! { "encoders" => Json::Array(Vec::new()), "decoders" => decoders };
+    let codec = object! { "encoders" => Json::Array(Vec::new()), "decoders" => mappings_of_one(count) };
     case(manifold(count), &["NCP-CODEC-003"], codec, &[("p", 150.0), ("q", 50.0)])
         .shows(channels(vec![("x", vec![0.5, -0.5])]))
         .title(format!(
@@ -685,6 +678,28 @@ fn heads() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Channels, and populations, of all names that are alike.
+fn of_all_names() -> [Case; 2] {
+    let hertz: Vec<f64> = (1_u32..).zip(names::alike()).map(|(nth, _)| 100.0 + f64::from(nth)).collect();
+    let values: Vec<f64> = hertz.iter().map(|rate| map(*rate, PLAIN.rate, PLAIN.value)).collect();
+    let of = |are_channels| {
+        object! { "encoders" => Json::Array(Vec::new()), "decoders" => mappings_of_names(are_channels) }
+    };
+    let all: Vec<&str> = names::alike().map(|(name, _)| name).collect();
+    let numbered: Vec<String> = (0..all.len()).map(|nth| format!("p{nth}")).collect();
+    let by_number: Vec<(&str, f64)> = numbered.iter().map(String::as_str).zip(hertz.iter().copied()).collect();
+    let by_name: Vec<(&str, f64)> = all.iter().copied().zip(hertz.iter().copied()).collect();
+    let each = all.iter().copied().zip(values.iter().map(|value| vec![*value])).collect();
+    [("targets", true, by_number, channels(each)), ("populations", false, by_name, channels(vec![("x", values)]))].map(
+        |(what, are_channels, rates, expected)| {
+            case(format!("alike/{what}/all"), &["NCP-CODEC-003", "NCP-CODEC-010"], of(are_channels), &rates)
+                .shows(expected)
+                .title(format!("Each of {} {what} whose names are alike is built of its own rate.", all.len()))
+                .because("Names are compared letter for letter, and a mapping is of those that it names.")
+        },
+    )
 }
 
 /// Targets, and populations, that a careless name for them confuses.

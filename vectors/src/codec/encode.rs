@@ -2,11 +2,12 @@
 
 use super::{
     ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, PLAIN, POINT, POINTEDLY,
-    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDELY, codec, manifold, map, maps, narrow, pairs,
-    precisely, widely,
+    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDELY, codec, manifold, map, mappings_in_turn,
+    mappings_of_names, mappings_of_one, maps, narrow, pairs, precisely, widely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
+use crate::names;
 use crate::trace::{any, exactly, name_of, num, nums, within};
 
 pub(super) fn file() -> File {
@@ -18,6 +19,7 @@ pub(super) fn file() -> File {
     cases.extend(extreme());
     cases.extend(points());
     cases.extend(nameless());
+    cases.extend(of_all_names());
     cases.extend([many(MANY), many(1_100), many(4_000), many_of_one(4_200), many_of_one(66_000)]);
     let about = "The encoder of the rate codec: the default UAV codec, ranges, clamps, and what gives the middle of \
                  the rate range.";
@@ -493,13 +495,8 @@ fn nameless() -> Vec<Case> {
 
 /// So many mappings, of which the last two have a population of their own.
 fn many(count: u32) -> Case {
-    // Of one target the last should count, so all that have one say the same.
-    let mapping = |nth: u32| {
-        object! { "channel" => "x", "component" => nth, "population" => if nth < count - 2 { "p" } else { "q" } }
-    };
-    let mappings: Json = (0..count).map(mapping).collect();
     let data = [vec![0.5; count as usize - 2], vec![-0.5; 2]].concat();
-    let codec = object! { "encoders" => mappings, "decoders" => Json::Array(Vec::new()) };
+    let codec = object! { "encoders" => mappings_in_turn(count), "decoders" => Json::Array(Vec::new()) };
     case(manifold(count), &["NCP-CODEC-001"], codec, sensor(&[("x", &data)]))
         .shows(rates(&[("p", 150.0), ("q", 50.0)]))
         .title(format!("A codec of {count} mappings encodes by each of them."))
@@ -508,11 +505,7 @@ fn many(count: u32) -> Case {
 
 /// So many mappings of one component to one population, and one of another.
 fn many_of_one(count: u32) -> Case {
-    let mapping = |component: u32, population: &str| {
-        object! { "channel" => "x", "component" => component, "population" => population }
-    };
-    let mappings: Json = (1..count).map(|_| mapping(0, "p")).chain([mapping(1, "q")]).collect();
-    let codec = object! { "encoders" => mappings, "decoders" => Json::Array(Vec::new()) };
+    let codec = object! { "encoders" => mappings_of_one(count), "decoders" => Json::Array(Vec::new()) };
     case(manifold(count), &["NCP-CODEC-001"], codec, sensor(&[("x", &[0.5, -0.5])]))
         .shows(rates(&[("p", 150.0), ("q", 50.0)]))
         .title(format!(
@@ -571,10 +564,32 @@ fn alike() -> Vec<Case> {
     cases
 }
 
+/// Channels, and populations, of all names that are alike.
+fn of_all_names() -> [Case; 2] {
+    let values: Vec<f64> = (1_u32..).zip(names::alike()).map(|(nth, _)| f64::from(nth) / 128.0).collect();
+    let hertz = values.iter().map(|value| map(*value, PLAIN.value, PLAIN.rate));
+    let of = |are_channels| {
+        object! { "encoders" => mappings_of_names(are_channels), "decoders" => Json::Array(Vec::new()) }
+    };
+    let all: Vec<&str> = names::alike().map(|(name, _)| name).collect();
+    let numbered: Vec<String> = (0..all.len()).map(|nth| format!("p{nth}")).collect();
+    let each: Vec<(&str, &[f64])> = all.iter().copied().zip(values.chunks(1)).collect();
+    let by_number: Vec<(&str, f64)> = numbered.iter().map(String::as_str).zip(hertz.clone()).collect();
+    let by_name: Vec<(&str, f64)> = all.iter().copied().zip(hertz).collect();
+    [("channels", true, sensor(&each), by_number), ("populations", false, sensor(&[("x", &values)]), by_name)].map(
+        |(what, are_channels, sensor, expected)| {
+            case(format!("alike/{what}/all"), &["NCP-CODEC-001", "NCP-CODEC-002"], of(are_channels), sensor)
+                .shows(rates(&expected))
+                .title(format!("Each of {} {what} whose names are alike has its own rate.", all.len()))
+                .because("Names are compared letter for letter, and a mapping is of those that it names.")
+        },
+    )
+}
+
 /// The same names of populations, each of which is driven by a component of one channel.
 fn alike_populations(name: &str, components: &[(&'static str, u32)], words: &str) -> Option<Case> {
-    if !matches!(name, "names" | "letters" | "nul" | "names-of-1024") {
-        return None;
+    if components.iter().any(|(_, component)| *component > 0) {
+        return None; // They differ in more than the names of their channels.
     }
     let (mut mappings, mut data, mut expected) = (Vec::new(), Vec::new(), Vec::new());
     for ((population, _), component) in components.iter().copied().zip(0_u32..) {

@@ -5,7 +5,7 @@ mod encode;
 
 use crate::case::File;
 use crate::json::{Json, object};
-use crate::names::LONG_NAMES;
+use crate::names::{self, LONG_NAMES};
 use crate::trace::{any, num, nums, within};
 
 pub(crate) fn files() -> Vec<File> {
@@ -194,6 +194,35 @@ const SHARES: [Share; 6] = [
     Share { name: "below", share: -0.5 },
     Share { name: "above", share: 1.5 },
 ];
+
+/// Mappings of all names that are alike: each of a channel with a population of its own, or each of a population with a
+/// component of its own.
+fn mappings_of_names(are_channels: bool) -> Json {
+    let mapping = |(nth, (name, _)): (u32, (&str, bool))| {
+        let population = format!("p{nth}");
+        let (channel, component, population) = if are_channels { (name, 0, &*population) } else { ("x", nth, name) };
+        object! { "channel" => channel, "component" => component, "population" => population }
+    };
+    (0_u32..).zip(names::alike()).map(mapping).collect()
+}
+
+/// So many mappings between the components of a channel in turn and one population, the last two and another.
+fn mappings_in_turn(count: u32) -> Json {
+    // Of one target the last should count, so all that have one say the same.
+    let mapping = |nth: u32| {
+        let population = if nth < count - 2 { "p" } else { "q" };
+        object! { "channel" => "x", "component" => nth, "population" => population }
+    };
+    (0..count).map(mapping).collect()
+}
+
+/// So many mappings between one component and one population, the last between others.
+fn mappings_of_one(count: u32) -> Json {
+    let mapping = |component: u32, population: &str| {
+        object! { "channel" => "x", "component" => component, "population" => population }
+    };
+    (1..count).map(|_| mapping(0, "p")).chain([mapping(1, "q")]).collect()
+}
 
 /// A name, components that are easily confused with each other, by their channel and their number, and what they are.
 type Alike = (&'static str, &'static [(&'static str, u32)], &'static str);

@@ -5,7 +5,7 @@ use super::{case, good, near, row_case};
 use crate::case::{Case, File};
 use crate::command::{Command, M, MPS, POSITION, VELOCITY, channel, velocity};
 use crate::json::object;
-use crate::names::LONG_NAMES;
+use crate::names::{self, LONG_NAMES};
 use crate::scenario::{ScenarioError, Scenarios, full_width, source};
 use crate::trace::{anything, steps};
 
@@ -20,7 +20,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(text.rest(row_case)?);
     cases.extend(behind_many());
     cases.extend(likenesses());
-    cases.push(long_names());
+    cases.extend([long_names(), of_all_names()]);
     let about = "How limits bind to the negotiated channels: by name, in their unit, and closed when they cannot.";
     Ok(File::new("safety", "binding", about, cases))
 }
@@ -101,6 +101,23 @@ fn long_names() -> Case {
     .title("Of two channels without a unit whose names agree in 1,023 characters, the one in m/s obeys the limit.")
     .flags(&["L10"])
     .because("A channel without a unit is read in the one that was negotiated for it, whatever its neighbours are in.")
+}
+
+/// Channels without a unit of all names that are alike: those that others are like are in N, all others in m/s.
+fn of_all_names() -> Case {
+    let specs: Vec<Spec> =
+        names::alike().map(|(name, is_first)| vec3(name, Some(if is_first { "N" } else { MPS }))).collect();
+    let channels = names::alike().map(|(name, _)| channel(name, &[0.0, 3.0, 4.0], None));
+    let command = Command::of(std::iter::once(velocity(&[1.0, 0.0, 0.0])).chain(channels).collect());
+    let step = govern(command, Sensor::at(&[0.0; 3]));
+    case(
+        "beside/names-alike".to_owned(),
+        &["NCP-SAFE-042", "NCP-SAFE-065"],
+        &Trace::negotiated(Limits::speed(2.0), Capabilities::canonical(&specs), vec![step]),
+    )
+    .title("Of channels without a unit whose names are alike, just those in m/s obey the limit.")
+    .flags(&["L10"])
+    .because("A channel without a unit is read in the one that was negotiated for it, and names are compared letter for letter.")
 }
 
 /// Limits that are no limits.

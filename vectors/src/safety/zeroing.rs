@@ -8,6 +8,7 @@ use super::near;
 use crate::case::{Case, File, Role};
 use crate::command::{self, Channel, Command, MPS, VELOCITY, channel, velocity};
 use crate::json::{Json, object};
+use crate::names;
 use crate::scenario::{Row, ScenarioError, Scenarios, source};
 use crate::trace::{any, anything, int, name_of, no_result, num, nums, refused, steps};
 
@@ -25,6 +26,8 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         cases.extend(rare_names(way));
     }
     cases.extend(one_after_another());
+    cases.extend(behind_what_passed());
+    cases.push(of_all_names());
     let about = "HOLD and ESTOP frames: what of the command is zeroed, what is kept and what is added.";
     Ok(File::new("safety", "zeroing", about, cases))
 }
@@ -391,6 +394,51 @@ fn one_after_another() -> [Case; 3] {
                  of the command's keeps its width and its unit.",
             )
     })
+}
+
+/// Behind a command that passed, with channels of its own at tick 0 and in its horizon.
+fn behind_what_passed() -> [Case; 3] {
+    [("hold", "HOLD"), ("init", "HOLD"), ("estop", "ESTOP")].map(|(mode, frame)| {
+        let mut passing = Command::moving(&[1.0, 0.0, 0.0]).and(channel("gripper", &[1.0], Some("N"))).seq(1);
+        passing = passing.then(50.0, &[[1.0, 0.0, 0.0], [0.0; 3]]);
+        for step in &mut passing.horizon {
+            step.push(channel("tow", &[1.0], Some("N")));
+        }
+        let stopping = Command::moving(&[1.0, 0.0, 0.0]).mode(mode).seq(2);
+        let zero = object! { "data" => nums(&[0.0; 3]), "unit" => MPS };
+        let zeroed = object! { "channels" => object! { "$exact" => object! { VELOCITY => zero } } };
+        let governed = vec![govern(passing, near()), govern(stopping, near())];
+        let trace = Trace { limits: Limits::NONE, capabilities: None, steps: governed };
+        Case::new(format!("behind-what-passed/{mode}"), &["NCP-SAFE-071"], &[Role::Commander])
+            .rests_on(format!("safety/gates/nothing/{mode}"))
+            .call("governor.run", trace.args())
+            .shows(steps(vec![anything(), object! { "frame" => zeroed }]))
+            .title(format!(
+                "The {frame} frame of a command in mode `{mode}` has no channel of a command that passed before it."
+            ))
+            .flags(&["moving-hold"])
+            .because("A frame has the union of its own command's channels and the negotiated ones, and no other.")
+    })
+}
+
+/// A command whose channels have all names that others are like, and negotiated channels of the names that are like
+/// them.
+fn of_all_names() -> Case {
+    let (own, others): (Vec<_>, Vec<_>) = names::alike().partition(|(_, is_first)| *is_first);
+    let command = Command::of(own.iter().map(|(name, _)| channel(name, &[1.0, 2.0], None)).collect());
+    let negotiated: Vec<Spec> = others.iter().map(|(name, _)| scalar(name, None)).collect();
+    let zeros = |of: &[(&str, bool)], width: usize| -> Vec<(String, Json)> {
+        let zero = |name: &str| (name.to_owned(), object! { "data" => nums(&vec![0.0; width]) });
+        of.iter().map(|(name, _)| zero(name)).collect()
+    };
+    let all = Json::Object([zeros(&own, 2), zeros(&others, 1)].concat());
+    let capabilities = Capabilities::canonical(&negotiated);
+    let way = &WAYS[0];
+    let part = object! { "channels" => all };
+    case("channels/alike/all".to_owned(), "NCP-SAFE-071", way, Some(capabilities), command, part)
+        .title("The HOLD frame has the channels of the command and the negotiated ones, however alike their names are.")
+        .flags(&["moving-hold"])
+        .because("Names are compared letter for letter, and the union has both.")
 }
 
 /// A channel whose name is empty, of the command and among the negotiated ones; and names that only look the same.

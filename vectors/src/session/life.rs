@@ -400,13 +400,23 @@ fn long_requests() -> Vec<Case> {
     let opening = || text_of(object! { "kind" => "session_opened" });
     let version = || network("ncp.reference.lif").with("ncp_version", "~".into());
     // A frame with a tilde where the long text stands, and of what that is.
-    let table: [(&str, &str, Json, &str, Json, &'static str); 15] = [
+    let table: [(&str, &str, Json, &str, Json, &'static str); 17] = [
         ("kind", "kind", frame("~"), "x", error(), "NCP-SESS-022"),
         ("kind-of-escapes", "kind", frame("~"), "\\u0001", error(), "NCP-SESS-022"),
         ("session", "session", frame("step_request").with("session_id", "~".into()), "x", error(), "NCP-SESS-026"),
         ("network", "network", network("~"), "x", any(vec![opening(), error()]), "NCP-SESS-021"),
         ("version", "version", version(), "x", any(vec![not_opened("a"), error()]), "NCP-SESS-023"),
         ("port", "port", port.clone(), "x", any(vec![observation("a"), error()]), "NCP-SESS-037"),
+        // In the shortest of frames, so that whoever says more than where it stands has no room for it.
+        ("kind-alone", "kind", object! { "kind" => "~" }, "x", error(), "NCP-SESS-022"),
+        (
+            "name-alone",
+            "name",
+            Json::read(r#"{"kind":"step_request","stimulus":{"values":{"~":5}},"session_id":"a"}"#),
+            "x",
+            error(),
+            "NCP-SESS-021",
+        ),
         // Of two bytes, and written as an escape by who shows it, or writes ASCII alone: of five or six.
         ("kind-of-controls", "kind", frame("~"), CONTROL, error(), "NCP-SESS-022"),
         ("network-of-controls", "network", network("~"), CONTROL, any(vec![opening(), error()]), "NCP-SESS-021"),

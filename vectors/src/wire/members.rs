@@ -8,9 +8,11 @@ use super::place::{Ground, Place};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{self, explicit, full, is_pin, meaning, minimal};
+use crate::names;
 use crate::patch::{self, patched};
 use crate::roles::{ANY, a, readers};
 use crate::scenario::{Row, ScenarioError, Scenarios, beside, source};
+use crate::trace::nums;
 use ncp_text::tables::Default;
 
 pub(super) fn file() -> Result<File, ScenarioError> {
@@ -23,6 +25,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(text.cases("repeated", repeated)?);
     cases.extend(text.cases("repeated-within", repeated)?);
     cases.extend(text.rest(not_repeated)?);
+    cases.extend(of_all_names());
     cases.push(escaped_kind());
     cases.extend(escaped());
     cases.extend(not_wrapped());
@@ -60,6 +63,40 @@ fn unknown_values() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// Maps of all names that are alike, which are so many members.
+fn of_all_names() -> [Case; 5] {
+    let names = || (1_u32..).zip(names::alike()).map(|(nth, (name, _))| (name, nth));
+    let map = |of: &dyn Fn(u32) -> Json| Json::Object(names().map(|(name, nth)| (name.to_owned(), of(nth))).collect());
+    let data = || map(&|nth| object! { "data" => nums(&[f64::from(nth)]) });
+    let frame = |kind: &str| object! { "kind" => kind };
+    let stepped = || frame("step_request").with("session_id", "s1".into());
+    [
+        ("sensor_frame", "channels", frame("sensor_frame").with("channels", data())),
+        ("command_frame", "channels", frame("command_frame").with("channels", data())),
+        (
+            "command_frame",
+            "horizon",
+            frame("command_frame").with("horizon", Json::Array(vec![object! { "channels" => data() }])),
+        ),
+        ("step_request", "values", stepped().with("stimulus", object! { "values" => data() })),
+        (
+            "observation_frame",
+            "records",
+            frame("observation_frame")
+                .with("session_id", "s1".into())
+                .with("records", map(&|nth| object! { "port" => "p", "times" => nums(&[f64::from(nth)]) })),
+        ),
+    ]
+    .map(|(kind, map, frame)| {
+        Case::new(format!("{kind}/names-alike/{map}"), &[READ], readers(kind))
+            .title(format!("{} whose `{map}` have all names that are alike has each of them.", a(kind)))
+            .flags(&["lost-fields"])
+            .decode(kind, frame.text())
+            .means(meaning(kind, &frame).text())
+            .because("Every field has the value that the frame gives it, and a name is another by its least letter.")
+    })
 }
 
 /// An unknown member in every kind and in every message that stands within one.

@@ -23,6 +23,9 @@ pub(super) fn networks() -> Vec<(&'static str, Params)> {
         ("rest-just-rounded-down", vec![("t_ref", 3.45), ("I_e", 600.0)]),
         ("reset-to-threshold", vec![("V_reset", -55.0), ("I_e", 600.0)]),
         ("reset-above-threshold", vec![("V_reset", -40.0), ("I_e", 600.0)]),
+        // At its first step, though its current leads below the threshold.
+        ("leak-above-threshold", vec![("E_L", -50.0), ("I_e", -500.0)]),
+        ("leak-and-reset-above-threshold", vec![("E_L", -50.0), ("V_reset", -50.0), ("I_e", -500.0)]),
         ("other-levels", vec![("E_L", -65.0), ("V_th", -50.0), ("V_reset", -75.0), ("I_e", 450.0)]),
     ]
 }

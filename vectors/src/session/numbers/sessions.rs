@@ -4,7 +4,7 @@ use super::neurons::next_rate;
 use super::{WHY, driven_step, recorded_at, samples, sent, simulate};
 use crate::case::Case;
 use crate::json::{Json, object};
-use crate::names::LONG_NAMES;
+use crate::names::{self, LONG_NAMES};
 use crate::session::{
     Open, close, error, not_opened, observation, observed, opened, record, recorded, reference, replies, run, step,
     stimulus,
@@ -240,7 +240,7 @@ pub(super) fn alike() -> Vec<Case> {
     };
     type Row<'a> = (&'static str, &'a [(&'a str, u32)], [(&'a str, u32); 2], &'static str);
     let long = LONG_NAMES.map(|name| (name, 1));
-    let table: [Row<'_>; 7] = [
+    let table: [Row<'_>; 8] = [
         ("population-and-neuron", &[("a", 11), ("a1", 1)], [("a1", 1), ("a", 11)], "NCP-SESS-055"),
         ("neuron-and-population", &[("a", 11), ("1a", 1)], [("1a", 1), ("a", 11)], "NCP-SESS-055"),
         ("cases", &[("pop", 1), ("Pop", 1)], [("Pop", 1), ("pop", 1)], "NCP-SESS-055"),
@@ -253,6 +253,7 @@ pub(super) fn alike() -> Vec<Case> {
             "NCP-SESS-055",
         ),
         ("names-of-1024", &long, long, "NCP-SESS-055"),
+        ("names-of-1024-turned", &long, [long[1], long[0]], "NCP-SESS-055"),
     ];
     for (name, sizes, [driven, other], rule) in table {
         let sizes: Json = Json::Object(sizes.iter().map(|(name, size)| ((*name).to_owned(), (*size).into())).collect());
@@ -272,9 +273,12 @@ pub(super) fn alike() -> Vec<Case> {
         let trace = vec![(text, opened("a")), (step("a", Some(5.0), Some(("in", 300.0))), recorded("a", records))];
         cases.push(
             reference(format!("alike/{name}"), &[rule], trace)
-                .title(if name == "names-of-1024" {
-                    "A current into one of two populations whose long names begin alike does not reach the other."
-                        .to_owned()
+                .title(if driven.0.len() > 64 {
+                    format!(
+                        "A current into one of two populations whose long names begin alike does not reach the other \
+                         ({}).",
+                        name.replace('-', " ")
+                    )
                 } else {
                     format!(
                         "A current into neuron {} of `{}` does not reach neuron {} of `{}`.",
@@ -288,6 +292,53 @@ pub(super) fn alike() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Populations, and ports, of all names that are alike: each has a current of its own.
+pub(super) fn of_all_names() -> [Case; 2] {
+    let all: Vec<&str> = names::alike().map(|(name, _)| name).collect();
+    let numbers = || 1_u32..=u32::try_from(all.len()).unwrap_or(0);
+    let current = |nth: u32| f64::from(nth) * 4.0;
+    let after = |nth: u32| simulate(&[], 1.0, 5, current(nth)).1.last().copied().unwrap_or_default();
+    let ids = |id: u32| std::iter::once(id).collect::<Json>();
+    let open = |sizes: Json, port_of: &dyn Fn(u32) -> String, target_of: &dyn Fn(u32) -> (String, u32)| {
+        let at = |port: Json, nth: u32| {
+            let (target, id) = target_of(nth);
+            port.with("target", target.into()).with("ids", ids(id))
+        };
+        let open = Open {
+            records: numbers().map(|nth| at(record(&port_of(nth), "V_m", 5.0), nth)).collect(),
+            stimuli: numbers().map(|nth| at(stimulus(&port_of(nth), "current_pA"), nth)).collect(),
+            ..Open::lif("a")
+        };
+        open.json().edit(&["network", "population_sizes"], |_| sizes).text()
+    };
+    let name = |nth: u32| all.get(nth as usize - 1).copied().unwrap_or_default().to_owned();
+    let numbered = |nth: u32| format!("p{nth}");
+    let of_one = all.iter().map(|name| ((*name).to_owned(), Json::from(1_u32))).collect();
+    let populations = open(Json::Object(of_one), &numbered, &|nth| (name(nth), 1));
+    let ports = open(object! { "pop" => u32::try_from(all.len()).unwrap_or(0) }, &name, &|nth| ("pop".to_owned(), nth));
+    let driven = |port_of: &dyn Fn(u32) -> String| {
+        let port_of: Vec<(String, f64)> = numbers().map(|nth| (port_of(nth), current(nth))).collect();
+        let values: Vec<(&str, f64)> = port_of.iter().map(|(port, current)| (port.as_str(), *current)).collect();
+        driven_step("a", 5.0, &values)
+    };
+    let observed = |port_of: &dyn Fn(u32) -> String| {
+        let records = numbers().map(|nth| (port_of(nth), object! { "values" => nums(&[after(nth)]) }));
+        recorded("a", Json::Object(records.collect()))
+    };
+    [
+        ("populations", populations, driven(&numbered), observed(&numbered), "NCP-SESS-055"),
+        ("ports", ports, driven(&name), observed(&name), "NCP-SESS-054"),
+    ]
+    .map(|(what, open, step, reply, rule)| {
+        reference(format!("alike/{what}/all"), &[rule], vec![(open, opened("a")), (step, reply)])
+            .title(format!("Each of {} {what} whose names are alike has a current of its own.", all.len()))
+            .because(
+                "A stimulus reaches the neurons of its target that its `ids` name, and no others, whatever they are \
+                 called.",
+            )
+    })
 }
 
 /// What a server bears in one request, and what it may refuse.
