@@ -36,6 +36,7 @@ impl Encoder {
         cases.extend(self.programs());
         cases.extend(self.leaves());
         cases.extend(self.special());
+        cases.extend(self.zeros());
         cases.extend(self.refused_ids());
         cases.extend(self.large());
         cases.extend(self.long());
@@ -548,6 +549,22 @@ impl Encoder {
     }
 
     /// What concerns one kind alone.
+    /// Channels whose data are the same to who compares them as numbers.
+    fn zeros(&self) -> Option<Case> {
+        let with = |minus: Json| self.fields(explicit(self.kind)).with("channels", zeros_of_both_signs(&minus));
+        matches!(self.kind, "sensor_frame" | "command_frame").then(|| {
+            self.case("zeros-of-both-signs", &["NCP-WIRE-084", "NCP-WIRE-015"])
+                .title(format!(
+                    "{} whose channels have zeros of both signs is written so that it reads back.",
+                    a(self.kind)
+                ))
+                .flags(&["lossy-doubles"])
+                .encode(self.kind, with(Json::string("-0")))
+                .means(meaning(self.kind, &with(Json::literal("-0.0"))).text())
+                .because("Whatever the digits, the nearest double of them has the same bits.")
+        })
+    }
+
     fn special(&self) -> Vec<Case> {
         let mut cases = Vec::new();
         match self.kind {
@@ -833,6 +850,16 @@ impl Leaf {
 }
 
 /// Every number, integer, enum and map below a message, as a full frame has them.
+/// Channels of one zero and of two, in each order of their signs.
+pub(super) fn zeros_of_both_signs(minus: &Json) -> Json {
+    let plus = Json::literal("0.0");
+    let channel = |data: &[&Json]| object! { "data" => data.iter().copied().cloned().collect::<Json>() };
+    object! {
+        "a" => channel(&[&plus]), "b" => channel(&[minus]), "c" => channel(&[&plus]), "d" => channel(&[&plus, minus]),
+        "e" => channel(&[minus, &plus]), "f" => channel(&[minus, minus]), "g" => channel(&[&plus, &plus]),
+    }
+}
+
 fn collect(message: &Message, path: &mut Vec<String>, leaves: &mut Vec<Leaf>) {
     for field in &message.fields {
         if matches!(field.default, Default::Kind) {

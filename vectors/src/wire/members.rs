@@ -2,7 +2,7 @@
 //! are not.
 
 use super::READ;
-use super::encode::reversed;
+use super::encode::{reversed, zeros_of_both_signs};
 use super::kinds::kinds;
 use super::place::{Ground, Place};
 use crate::case::{Case, File};
@@ -26,6 +26,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(text.cases("repeated-within", repeated)?);
     cases.extend(text.rest(not_repeated)?);
     cases.extend(of_all_names());
+    cases.extend(zeros());
     cases.push(escaped_kind());
     cases.extend(escaped());
     cases.extend(not_wrapped());
@@ -96,6 +97,20 @@ fn of_all_names() -> [Case; 5] {
             .decode(kind, frame.text())
             .means(meaning(kind, &frame).text())
             .because("Every field has the value that the frame gives it, and a name is another by its least letter.")
+    })
+}
+
+/// Channels whose data are the same to who compares them as numbers.
+fn zeros() -> [Case; 2] {
+    ["sensor_frame", "command_frame"].map(|kind| {
+        let channels = zeros_of_both_signs(&Json::literal("-0.0"));
+        let frame = object! { "kind" => kind }.with("channels", channels);
+        Case::new(format!("{kind}/zeros-of-both-signs"), &[READ, "NCP-WIRE-012"], readers(kind))
+            .title(format!("{} whose channels have zeros of both signs has each of them.", a(kind)))
+            .flags(&["lossy-doubles"])
+            .decode(kind, frame.text())
+            .means(meaning(kind, &frame).text())
+            .because("A number is the nearest double, and −0 is another than 0.")
     })
 }
 

@@ -328,6 +328,21 @@ pub(super) fn lasting() -> Vec<Case> {
             (run("a", 1500.0), observed(1500)),
         ],
     );
+    add("over-time/two-days", "over two days of simulation time", {
+        const HALF: f64 = 43_200_000.0;
+        let at_each_half = Open { records: vec![record("v", "V_m", HALF)], dt: 1_000.0, ..driven(&["in"]) };
+        let (_, values, _) = simulate(&[], 1_000.0, 10, 300.0);
+        // Within a step of a second a neuron is where its current leads.
+        let observed = |halves: [f64; 2]| {
+            let led = values.last().copied().unwrap_or_default();
+            recorded("a", object! { "v" => samples(&halves.map(|nth| nth * HALF), Some(&[led; 2])) })
+        };
+        vec![
+            (at_each_half.text(), opened("a")),
+            (step("a", Some(2.0 * HALF), Some(("in", 300.0))), observed([1.0, 2.0])),
+            (run("a", 2.0 * HALF), observed([3.0, 4.0])),
+        ]
+    });
     cases
 }
 
