@@ -1,9 +1,9 @@
 //! From rates to a command.
 
 use super::{
-    ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, PLAIN, POINT, POINTEDLY,
-    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDELY, codec, manifold, map, mappings_in_turn,
-    mappings_of_names, mappings_of_one, maps, narrow, pairs, precisely, widely,
+    ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, OF_ITS_OWN, PLAIN, POINT,
+    POINTEDLY, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDELY, codec, manifold, map,
+    mappings_in_turn, mappings_of_names, mappings_of_one, maps, narrow, pairs, precisely, widely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -20,6 +20,7 @@ pub(super) fn file() -> File {
     cases.extend(extreme());
     cases.extend(points());
     cases.extend(nameless());
+    cases.push(both_ways());
     cases.extend(of_all_names());
     cases.extend([many(MANY), many(1_100), many(4_000), many_of_one(4_200), many_of_one(66_000)]);
     let about = "The decoder of the rate codec: the default UAV codec, ranges, clamps, and the command that is built.";
@@ -678,6 +679,16 @@ fn heads() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// A population that the encoder drives and the decoder reads, with ranges of its own on each side.
+fn both_ways() -> Case {
+    let encoder = Mapping { value: [-2.0, 2.0], rate: [0.0, 100.0], ..PLAIN };
+    let decoder = Mapping { value: [-8.0, 8.0], rate: [0.0, 400.0], ..PLAIN };
+    case("both-ways".to_owned(), &["NCP-CODEC-003"], codec(&[encoder], &[decoder]), &[(PLAIN.population, 300.0)])
+        .shows(channels(vec![(PLAIN.channel, vec![4.0])]))
+        .title("The decoder maps by its own ranges from a population that the encoder drives by others.")
+        .because(OF_ITS_OWN)
 }
 
 /// Channels, and populations, of all names that are alike.

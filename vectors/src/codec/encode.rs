@@ -1,9 +1,9 @@
 //! From sensor channels to rates.
 
 use super::{
-    ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, PLAIN, POINT, POINTEDLY,
-    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDELY, codec, manifold, map, mappings_in_turn,
-    mappings_of_names, mappings_of_one, maps, narrow, pairs, precisely, widely,
+    ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, OF_ITS_OWN, PLAIN, POINT,
+    POINTEDLY, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDELY, codec, manifold, map,
+    mappings_in_turn, mappings_of_names, mappings_of_one, maps, narrow, pairs, precisely, widely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -19,6 +19,7 @@ pub(super) fn file() -> File {
     cases.extend(extreme());
     cases.extend(points());
     cases.extend(nameless());
+    cases.push(both_ways());
     cases.extend(of_all_names());
     cases.extend([many(MANY), many(1_100), many(4_000), many_of_one(4_200), many_of_one(66_000)]);
     let about = "The encoder of the rate codec: the default UAV codec, ranges, clamps, and what gives the middle of \
@@ -562,6 +563,16 @@ fn alike() -> Vec<Case> {
         cases.extend(alike_populations(name, components, words));
     }
     cases
+}
+
+/// A population that the encoder drives and the decoder reads, with ranges of its own on each side.
+fn both_ways() -> Case {
+    let encoder = Mapping { value: [-2.0, 2.0], rate: [0.0, 100.0], ..PLAIN };
+    let decoder = Mapping { value: [-8.0, 8.0], rate: [0.0, 400.0], ..PLAIN };
+    case("both-ways".to_owned(), &["NCP-CODEC-001"], codec(&[encoder], &[decoder]), sensor(&[(PLAIN.channel, &[1.0])]))
+        .shows(rates(&[(PLAIN.population, 75.0)]))
+        .title("The encoder maps by its own ranges to a population that the decoder reads by others.")
+        .because(OF_ITS_OWN)
 }
 
 /// Channels, and populations, of all names that are alike.

@@ -153,6 +153,8 @@ fn pairs(one: Mapping) -> [(&'static str, Mapping); 7] {
     ]
 }
 
+const OF_ITS_OWN: &str = "A mapping of the encoder and one of the decoder have each the ranges that it names.";
+
 /// Numbers that JSON lacks: an interface of JSON texts refuses them.
 const STRANGE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 

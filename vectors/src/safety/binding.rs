@@ -117,7 +117,7 @@ fn of_all_names() -> Case {
     )
     .title("Of channels without a unit whose names are alike, just those in m/s obey the limit.")
     .flags(&["L10"])
-    .because("A channel without a unit is read in the one that was negotiated for it, and names are compared letter for letter.")
+    .because("A channel without a unit is read in the one that was negotiated for it, by its name letter for letter.")
 }
 
 /// Limits that are no limits.

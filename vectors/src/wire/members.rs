@@ -7,7 +7,7 @@ use super::kinds::kinds;
 use super::place::{Ground, Place};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
-use crate::model::{self, explicit, full, is_pin, meaning, minimal};
+use crate::model::{self, explicit, explicit_message, full, is_pin, meaning, minimal};
 use crate::names;
 use crate::patch::{self, patched};
 use crate::roles::{ANY, a, readers};
@@ -70,29 +70,20 @@ fn unknown_values() -> Vec<Case> {
 fn of_all_names() -> [Case; 5] {
     let names = || (1_u32..).zip(names::alike()).map(|(nth, (name, _))| (name, nth));
     let map = |of: &dyn Fn(u32) -> Json| Json::Object(names().map(|(name, nth)| (name.to_owned(), of(nth))).collect());
-    let data = || map(&|nth| object! { "data" => nums(&[f64::from(nth)]) });
-    let frame = |kind: &str| object! { "kind" => kind };
-    let stepped = || frame("step_request").with("session_id", "s1".into());
+    let value = |nth| explicit_message("ChannelValue").with("data", nums(&[f64::from(nth)]));
+    let sample = |nth| explicit_message("Observation").with("times", nums(&[f64::from(nth)]));
+    let stimulus = explicit("stimulus_frame").with("values", map(&value));
     [
-        ("sensor_frame", "channels", frame("sensor_frame").with("channels", data())),
-        ("command_frame", "channels", frame("command_frame").with("channels", data())),
-        (
-            "command_frame",
-            "horizon",
-            frame("command_frame").with("horizon", Json::Array(vec![object! { "channels" => data() }])),
-        ),
-        ("step_request", "values", stepped().with("stimulus", object! { "values" => data() })),
-        (
-            "observation_frame",
-            "records",
-            frame("observation_frame")
-                .with("session_id", "s1".into())
-                .with("records", map(&|nth| object! { "port" => "p", "times" => nums(&[f64::from(nth)]) })),
-        ),
+        ("sensor_frame", "channels", map(&value)),
+        ("command_frame", "channels", map(&value)),
+        ("command_frame", "horizon", Json::Array(vec![map(&value)])),
+        ("step_request", "stimulus", stimulus),
+        ("observation_frame", "records", map(&sample)),
     ]
-    .map(|(kind, map, frame)| {
-        Case::new(format!("{kind}/names-alike/{map}"), &[READ], readers(kind))
-            .title(format!("{} whose `{map}` have all names that are alike has each of them.", a(kind)))
+    .map(|(kind, field, value)| {
+        let frame = explicit(kind).with(field, value);
+        Case::new(format!("{kind}/names-alike/{field}"), &[READ], readers(kind))
+            .title(format!("{} whose `{field}` has all names that are alike is read with each of them.", a(kind)))
             .flags(&["lost-fields"])
             .decode(kind, frame.text())
             .means(meaning(kind, &frame).text())
@@ -103,10 +94,9 @@ fn of_all_names() -> [Case; 5] {
 /// Channels whose data are the same to who compares them as numbers.
 fn zeros() -> [Case; 2] {
     ["sensor_frame", "command_frame"].map(|kind| {
-        let channels = zeros_of_both_signs(&Json::literal("-0.0"));
-        let frame = object! { "kind" => kind }.with("channels", channels);
-        Case::new(format!("{kind}/zeros-of-both-signs"), &[READ, "NCP-WIRE-012"], readers(kind))
-            .title(format!("{} whose channels have zeros of both signs has each of them.", a(kind)))
+        let frame = explicit(kind).with("channels", zeros_of_both_signs(&Json::literal("-0.0")));
+        Case::new(format!("{kind}/zeros-of-both-signs"), &["NCP-WIRE-015", READ], readers(kind))
+            .title(format!("{} whose channels have zeros of both signs is read with each of them.", a(kind)))
             .flags(&["lossy-doubles"])
             .decode(kind, frame.text())
             .means(meaning(kind, &frame).text())

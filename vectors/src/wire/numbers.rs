@@ -184,6 +184,11 @@ fn rounded_once() -> [Double; 14] {
     ]
 }
 
+/// Powers of two of which fewer digits than hold them lie within half a step to the next double above, and beyond half
+/// the smaller step to the one below.
+const LOPSIDED: [i32; 21] =
+    [-98, -97, -93, -92, -91, -90, -89, -88, -44, -25, -24, 64, 65, 66, 67, 68, 85, 89, 108, 122, 132];
+
 /// Doubles of full precision over the sizes at which quantities are measured, and such that come back as a neighbour
 /// from so many decimals as nearly hold them: what a writer makes shorter, or reckons with, changes one of so many.
 pub(super) fn of_every_size() -> Vec<f64> {
@@ -205,6 +210,7 @@ pub(super) fn of_every_size() -> Vec<f64> {
         let candidates = std::iter::repeat_with(|| nearly * between_1_and_2() * if places == 0 { 0.5 } else { 1.0 });
         doubles.extend(candidates.take(10_000).filter(is_changed).take(8));
     }
+    doubles.extend(LOPSIDED.map(|power| 2_f64.powi(power)));
     let signed = |(nth, double): (usize, f64)| if nth % 3 == 0 { -double } else { double };
     doubles.into_iter().enumerate().map(signed).collect()
 }
@@ -354,10 +360,20 @@ mod tests {
     #[test]
     fn of_every_number_of_decimals_some_doubles_are_changed() {
         let doubles = of_every_size();
-        assert_eq!(doubles.len(), 130 + 13 * 8);
+        assert_eq!(doubles.len(), 130 + 13 * 8 + LOPSIDED.len());
         for places in 0..=12 {
             let is_changed = |double: &&f64| format!("{double:.places$}").parse() != Ok(**double);
             assert!(doubles.iter().filter(|double| double.abs() > 1e3).filter(is_changed).count() >= 8, "{places}");
+        }
+    }
+
+    #[test]
+    fn of_a_lopsided_power_of_two_some_digits_above_the_double_below_are_read_as_that() {
+        for power in LOPSIDED {
+            let double = 2_f64.powi(power);
+            let below = format!("{:.60e}", double.next_down());
+            let is_between = |digits: &String| *digits > below && digits.parse() == Ok(double.next_down());
+            assert!((1..17).map(|places| format!("{double:.places$e}")).any(|digits| is_between(&digits)), "{power}");
         }
     }
 

@@ -59,6 +59,7 @@ pub(super) fn file() -> File {
     cases.extend(ports::many_cadences());
     cases.extend(neurons::tiny());
     cases.extend(time::short_steps());
+    cases.extend(sessions::one_name_both_ways());
     cases.extend(sessions::of_all_names());
     cases.extend(sessions::opened_otherwise());
     cases.extend(sessions::room());

@@ -346,7 +346,7 @@ pub(super) fn rests_beside() -> Case {
 
 /// Spikes of thousands of neurons in one request, at each of its steps.
 pub(super) fn many_spikes() -> Case {
-    let (size, steps) = (10_000_u32, 3);
+    let (size, steps) = (10_000_u32, 7);
     let params = vec![("t_ref", 0.0), ("I_e", 50_000.0)];
     let (_, _, spikes) = simulate(&params, 1.0, steps, 50_000.0);
     let open = Open { size, params, records: vec![record("s", "spikes", 1.0)], ..Open::lif("a") };

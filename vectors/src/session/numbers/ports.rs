@@ -301,14 +301,22 @@ pub(super) fn orders() -> Vec<Case> {
         );
     }
     // Of the neurons that the port names only some spike: those that are driven.
-    for (named, driven_ones) in
-        [(&[4_u32, 2, 1][..], &[1_u32, 4][..]), (&[3, 1, 4, 2], &[1, 2, 3]), (&[4, 1, 3, 2], &[4, 3])]
-    {
+    let downwards: Vec<u32> = (1..=300).rev().collect();
+    for (named, driven_ones) in [
+        (&[4_u32, 2, 1][..], &[1_u32, 4][..]),
+        (&[3, 1, 4, 2], &[1, 2, 3]),
+        (&[4, 1, 3, 2], &[4, 3]),
+        (&downwards, &[7, 200, 201]),
+    ] {
         let drive = object! { "port" => "in", "target" => "pop", "kind" => "current_pA",
         "ids" => driven_ones.iter().copied().collect::<Json>() };
-        let open = Open { size: 4, records: vec![of("spikes", named)], stimuli: vec![drive], ..Open::lif("a") };
+        let size = named.iter().copied().max().unwrap_or(1);
+        let open = Open { size, records: vec![of("spikes", named)], stimuli: vec![drive], ..Open::lif("a") };
         let spiking: Vec<u32> = named.iter().copied().filter(|id| driven_ones.contains(id)).collect();
-        let name = |ids: &[u32]| ids.iter().map(ToString::to_string).collect::<Vec<_>>().join("-");
+        let name = |ids: &[u32]| match ids {
+            [first, .., last] if ids.len() > 9 => format!("{first}-to-{last}"),
+            ids => ids.iter().map(ToString::to_string).collect::<Vec<_>>().join("-"),
+        };
         add(
             format!("spikes-of-some/{}-of-{}", name(&spiking), name(named)),
             "as the port names those that spike",

@@ -294,6 +294,34 @@ pub(super) fn alike() -> Vec<Case> {
     cases
 }
 
+/// A stimulus port that has the name of a recorded one: each has the neurons that it names.
+pub(super) fn one_name_both_ways() -> [Case; 2] {
+    let ids = |of: &[u32]| of.iter().copied().collect::<Json>();
+    let after = |current: f64| simulate(&[], 1.0, 5, current).1.last().copied().unwrap_or_default();
+    [("driven", [2], [1, 3], [0.0, 0.0]), ("recorded", [1], [1, 2], [300.0, 0.0])].map(
+        |(name, driven, recorded_ids, currents)| {
+            let open = Open {
+                size: 3,
+                records: vec![record("x", "V_m", 5.0).with("ids", ids(&recorded_ids))],
+                stimuli: vec![stimulus("x", "current_pA").with("ids", ids(&driven))],
+                ..Open::lif("a")
+            };
+            let x = object! { "values" => nums(&currents.map(after)), "senders" => ids(&recorded_ids) };
+            let trace = vec![
+                (open.text(), opened("a")),
+                (step("a", Some(5.0), Some(("x", 300.0))), recorded("a", object! { "x" => x })),
+            ];
+            reference(format!("alike/one-name/{name}"), &["NCP-SESS-055", "NCP-SESS-052"], trace)
+                .title(format!(
+                    "A current into neuron {} by a port that has the name of a recorded one, of neurons {} and {}, \
+                     reaches no other.",
+                    driven[0], recorded_ids[0], recorded_ids[1]
+                ))
+                .because("A port of a stimulus and one of a record have each the neurons that it names.")
+        },
+    )
+}
+
 /// Populations, and ports, of all names that are alike: each has a current of its own.
 pub(super) fn of_all_names() -> [Case; 2] {
     let all: Vec<&str> = names::alike().map(|(name, _)| name).collect();
