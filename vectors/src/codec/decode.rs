@@ -2,8 +2,8 @@
 
 use super::{
     ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, OF_ITS_OWN, PLAIN, POINT,
-    POINTEDLY, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDELY, codec, manifold, map,
-    mappings_in_turn, mappings_of_names, mappings_of_one, maps, narrow, pairs, precisely, widely,
+    POINTEDLY, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDELY, codec, codec_of_both_ways, manifold,
+    map, mappings_in_turn, mappings_of_names, mappings_of_one, maps, narrow, pairs, precisely, widely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -683,9 +683,7 @@ fn heads() -> Vec<Case> {
 
 /// A population that the encoder drives and the decoder reads, with ranges of its own on each side.
 fn both_ways() -> Case {
-    let encoder = Mapping { value: [-2.0, 2.0], rate: [0.0, 100.0], ..PLAIN };
-    let decoder = Mapping { value: [-8.0, 8.0], rate: [0.0, 400.0], ..PLAIN };
-    case("both-ways".to_owned(), &["NCP-CODEC-003"], codec(&[encoder], &[decoder]), &[(PLAIN.population, 300.0)])
+    case("both-ways".to_owned(), &["NCP-CODEC-003"], codec_of_both_ways(), &[(PLAIN.population, 300.0)])
         .shows(channels(vec![(PLAIN.channel, vec![4.0])]))
         .title("The decoder maps by its own ranges from a population that the encoder drives by others.")
         .because(OF_ITS_OWN)

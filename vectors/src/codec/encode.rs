@@ -2,8 +2,8 @@
 
 use super::{
     ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, OF_ITS_OWN, PLAIN, POINT,
-    POINTEDLY, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDELY, codec, manifold, map,
-    mappings_in_turn, mappings_of_names, mappings_of_one, maps, narrow, pairs, precisely, widely,
+    POINTEDLY, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDELY, codec, codec_of_both_ways, manifold,
+    map, mappings_in_turn, mappings_of_names, mappings_of_one, maps, narrow, pairs, precisely, widely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -567,9 +567,7 @@ fn alike() -> Vec<Case> {
 
 /// A population that the encoder drives and the decoder reads, with ranges of its own on each side.
 fn both_ways() -> Case {
-    let encoder = Mapping { value: [-2.0, 2.0], rate: [0.0, 100.0], ..PLAIN };
-    let decoder = Mapping { value: [-8.0, 8.0], rate: [0.0, 400.0], ..PLAIN };
-    case("both-ways".to_owned(), &["NCP-CODEC-001"], codec(&[encoder], &[decoder]), sensor(&[(PLAIN.channel, &[1.0])]))
+    case("both-ways".to_owned(), &["NCP-CODEC-001"], codec_of_both_ways(), sensor(&[(PLAIN.channel, &[1.0])]))
         .shows(rates(&[(PLAIN.population, 75.0)]))
         .title("The encoder maps by its own ranges to a population that the decoder reads by others.")
         .because(OF_ITS_OWN)

@@ -153,6 +153,13 @@ fn pairs(one: Mapping) -> [(&'static str, Mapping); 7] {
     ]
 }
 
+/// A codec whose encoder drives a population that its decoder reads, with ranges of their own.
+fn codec_of_both_ways() -> Json {
+    let encoder = Mapping { value: [-2.0, 2.0], rate: [0.0, 100.0], ..PLAIN };
+    let decoder = Mapping { value: [-8.0, 8.0], rate: [0.0, 400.0], ..PLAIN };
+    codec(&[encoder], &[decoder])
+}
+
 const OF_ITS_OWN: &str = "A mapping of the encoder and one of the decoder have each the ranges that it names.";
 
 /// Numbers that JSON lacks: an interface of JSON texts refuses them.
