@@ -27,7 +27,6 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     }
     cases.extend(one_after_another());
     cases.extend(behind_what_passed());
-    cases.push(of_all_names());
     let about = "HOLD and ESTOP frames: what of the command is zeroed, what is kept and what is added.";
     Ok(File::new("safety", "zeroing", about, cases))
 }
@@ -423,7 +422,7 @@ fn behind_what_passed() -> [Case; 3] {
 
 /// A command whose channels have all names that others are like, and negotiated channels of the names that are like
 /// them.
-fn of_all_names() -> Case {
+fn of_all_names(way: &Way) -> Case {
     let (own, others): (Vec<_>, Vec<_>) = names::alike().partition(|(_, is_first)| *is_first);
     let command = Command::of(own.iter().map(|(name, _)| channel(name, &[1.0, 2.0], None)).collect());
     let negotiated: Vec<Spec> = others.iter().map(|(name, _)| scalar(name, None)).collect();
@@ -433,7 +432,6 @@ fn of_all_names() -> Case {
     };
     let all = Json::Object([zeros(&own, 2), zeros(&others, 1)].concat());
     let capabilities = Capabilities::canonical(&negotiated);
-    let way = &WAYS[0];
     let part = object! { "channels" => all };
     case("channels/alike/all".to_owned(), "NCP-SAFE-071", way, Some(capabilities), command, part)
         .title("The HOLD frame has the channels of the command and the negotiated ones, however alike their names are.")
@@ -457,6 +455,7 @@ fn rare_names(way: &Way) -> Vec<Case> {
     let zero = |data: &[f64]| object! { "data" => nums(data) };
     let both = object! { "\u{e9}" => zero(&[0.0]), "e\u{301}" => zero(&[0.0; 2]) };
     vec![
+        of_all_names(way),
         case(
             format!("channels/composed/{}", way.name),
             "NCP-SAFE-071",

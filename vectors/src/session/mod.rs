@@ -1,6 +1,7 @@
 //! Area `session`: a server's life, and the numbers of the reference networks.
 
 mod endures;
+mod failures;
 mod frames;
 mod life;
 mod numbers;

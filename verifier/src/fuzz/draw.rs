@@ -211,6 +211,9 @@ impl<'h> Draw<'h> {
                 let near = if self.chance(15) {
                     // A short decimal, or just beside.
                     self.range(-9_999_999, 9_999_999) as f64 / 1000.0
+                } else if self.chance(12) {
+                    // Below a power of two doubles lie twice as close as above it.
+                    2_f64.powi(i32::try_from(self.range(-1074, 1023)).unwrap_or(0))
                 } else if self.seen.is_empty() || self.chance(30) {
                     self.one(&CONSTANTS)
                 } else {
@@ -397,7 +400,7 @@ impl<'h> Draw<'h> {
         const AROUND: [&str; 12] =
             [" ", "\t", "\n", "\r\n", "\0", "\u{a0}", "\u{3000}", "\u{2028}", "\u{feff}", "\u{200b}", "0", "+"];
         let at = |draw: &mut Self| draw.below(word.chars().count().max(1));
-        match self.below(14) {
+        match self.below(18) {
             0 => word.to_uppercase(),
             1 | 2 => format!("{word}{}", self.pick(&AROUND)),
             3 | 4 => format!("{}{word}", self.pick(&AROUND)),
@@ -426,7 +429,19 @@ impl<'h> Draw<'h> {
                 word.chars().enumerate().flat_map(each).collect()
             }
             12 => word.chars().rev().collect(),
-            _ => word.to_owned(),
+            13 => word.to_owned(),
+            // By another mark, or another spelling of the number behind.
+            14 => word.replace(MARKS, self.pick(&["-", "_", ".", " ", ":", ""])),
+            15 => {
+                let digits = word.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+                let (head, number) = word.split_at(digits);
+                format!("{head}{}{number}{}", self.pick(&["0", "00", "+", ""]), self.pick(&["", "", ".0", "e0"]))
+            }
+            16 => word.chars().map(alike).collect(),
+            _ => {
+                let place = at(self);
+                word.chars().enumerate().map(|(nth, c)| if nth == place { alike(c) } else { c }).collect()
+            }
         }
     }
 
@@ -459,7 +474,7 @@ impl<'h> Draw<'h> {
 
     /// A string with characters that encoders have to escape, or that sort in different orders.
     pub(crate) fn spiced(&mut self) -> String {
-        const SPICE: [&str; 18] = [
+        const SPICE: [&str; 20] = [
             "\"",
             "\\",
             "/",
@@ -476,6 +491,9 @@ impl<'h> Draw<'h> {
             "\u{feff}",
             "\u{ffff}",
             "\u{1f681}",
+            // What is escaped directly behind an escape.
+            "\\\u{1f681}",
+            "\\ud83d",
             "]",
             "}",
         ];
@@ -485,6 +503,24 @@ impl<'h> Draw<'h> {
             return u32::try_from(code).ok().and_then(char::from_u32).map_or_else(String::new, String::from);
         }
         (0..=self.below(5)).map(|_| self.pick(&SPICE).to_owned() + if self.chance(50) { "a" } else { "" }).collect()
+    }
+}
+
+/// What stands between the parts of a name.
+const MARKS: [char; 5] = ['-', '_', '.', ' ', ':'];
+
+/// A letter that looks or folds alike.
+fn alike(c: char) -> char {
+    match c {
+        'a' => '\u{430}',
+        'e' => '\u{435}',
+        'i' => '\u{131}',
+        'k' | 'K' => '\u{212a}',
+        'o' => '\u{3bf}',
+        's' => '\u{17f}',
+        '1' => '\u{b9}',
+        '-' => '\u{2010}',
+        c => c,
     }
 }
 

@@ -206,7 +206,9 @@ fn spell(value: &str, escapes: u64, draw: &mut Draw<'_>, out: &mut String) {
     out.push('"');
     for c in value.chars() {
         let mut units = [0; 2];
-        if draw.chance(escapes) {
+        // A pair, and what stands behind a backslash, is read by rules of its own.
+        let often = if c.len_utf16() > 1 { 60 } else { escapes };
+        if draw.chance(often) {
             for unit in c.encode_utf16(&mut units) {
                 let upper = draw.chance(50);
                 out.push_str(&if upper { format!("\\u{unit:04X}") } else { format!("\\u{unit:04x}") });

@@ -17,11 +17,16 @@ struct Script {
     /// The step, ms.
     dt: f64,
     cadences: Vec<f64>,
+    /// The ports of stimuli, of which one may have the name of a recorded port.
+    inputs: [&'static str; 2],
 }
 
 fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     let rate = draw.chance(30);
+    // Many are recorded, by ids in any order, and a few of them are driven.
+    let few = !rate && draw.chance(12);
     let neurons = match draw.below(200) {
+        _ if few => draw.size(9, 300),
         0..=19 => draw.size(5, 300),
         // Ids of one digit and of two.
         22..=41 => draw.size(9, 24),
@@ -41,7 +46,8 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
             ("V_th", [-55.0, -50.0, 20.0, -45.0]),
             ("V_reset", [-70.0, -75.0, -80.0, -72.0]),
             ("t_ref", [2.0, 0.0, draw.one(&[5.0, 0.7, 2.3, 2.55, 1.6, 1.25]), draw.one(&[10.0, 40.0, 300.0])]),
-            ("I_e", [0.0, 400.0, 500.0, draw.one(&[1000.0, 1000.0, 1e290, 1e308])]),
+            // Against the drift from a rest above the threshold, as well.
+            ("I_e", [0.0, 400.0, draw.one(&[500.0, -200.0, -900.0]), draw.one(&[1000.0, 1000.0, 1e290, 1e308])]),
         ]
     };
     // Of one value under different names, in one session or in two.
@@ -69,7 +75,17 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     let all = draw.one(&[60, 60, 10]);
     let ids = |neurons: usize, may_be_all: bool, draw: &mut Draw<'_>| {
         let most = if draw.chance(10) { 80 } else { 8 };
-        let count = if neurons == 0 || may_be_all && draw.chance(all) { 0 } else { draw.size(1, neurons.min(most)) };
+        if few && !may_be_all {
+            let mut all: Vec<usize> = (1..=neurons).collect();
+            (0..all.len()).for_each(|at| all.swap(at, draw.below(neurons)));
+            return list(all.into_iter().map(|id| int(i64::try_from(id).unwrap_or(1))).collect());
+        }
+        let count = match neurons {
+            0 => 0,
+            _ if few => draw.size(2, 6),
+            _ if may_be_all && draw.chance(all) => 0,
+            _ => draw.size(1, neurons.min(most)),
+        };
         // Once: what a neuron that is named twice gives, nobody says.
         let mut ids: Vec<usize> =
             (0..count).map(|_| if draw.chance(20) { neurons } else { 1 + draw.below(neurons) }).collect();
@@ -93,19 +109,25 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     let records = (0..ports).map(|nth| {
         let target = draw.one(&targets);
         let of = size_of.iter().find(|(name, _)| *name == target).map_or(1, |(_, size)| *size);
-        let observable = if rate { "rate" } else { draw.one(&["V_m", "V_m", "spikes"]) };
+        let observable = if rate {
+            "rate"
+        } else if few {
+            "spikes"
+        } else {
+            draw.one(&["V_m", "V_m", "spikes"])
+        };
         object([
             ("port", text(format!("r{nth}"))),
             ("target", text(target)),
             ("observable", text(observable)),
             // The samples of many neurons fill more than a line.
-            ("ids", ids(of, of <= 2000, draw)),
+            ("ids", ids(of, !few && (of <= 2000 || observable == "spikes" && draw.chance(50)), draw)),
             ("cadence_ms", spelled(draw.one(&script.cadences))),
         ])
     });
     let records: Vec<Tree> = records.collect();
     let kind = if rate { "rate_inject" } else { "current_pA" };
-    let stimuli = ["in", "in2"].into_iter().map(|port| {
+    let stimuli = script.inputs.into_iter().map(|port| {
         let target = draw.one(&targets);
         let of = size_of.iter().find(|(name, _)| *name == target).map_or(1, |(_, size)| *size);
         object([("port", text(port)), ("target", text(target)), ("kind", text(kind)), ("ids", ids(of, true, draw))])
@@ -159,15 +181,15 @@ fn request(kind: &str, id: &str) -> Tree {
 }
 
 /// A value for a port, if any.
-fn stimulus(request: &mut Tree, draw: &mut Draw<'_>) {
+fn stimulus(request: &mut Tree, inputs: [&str; 2], draw: &mut Draw<'_>) {
     if draw.chance(4) {
         // Nothing for any port.
         set(request, "stimulus", object([("t", spelled(1.0))]));
         return;
     }
     if draw.chance(40) {
-        let port = draw.pick(&["in", "in", "in2"]);
-        let value = if draw.chance(3) { draw.one(&[1e290, 1e308, -1e308]) } else { draw.range(-8, 40) as f64 * 50.0 };
+        let port = draw.one(&[inputs[0], inputs[0], inputs[1]]);
+        let value = if draw.chance(3) { draw.one(&[1e290, 1e308, -1e308]) } else { draw.range(-20, 40) as f64 * 50.0 };
         let value = spelled(value);
         let mut stimulus = object([("values", object([(port, object([("data", list(vec![value]))]))]))]);
         if draw.chance(15) {
@@ -218,7 +240,8 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     let cadences = (0..3)
         .map(|_| if draw.chance(70) { dt * draw.one(&[1.0, 1.0, 2.0, 5.0, 10.0, 7.0]) } else { time(dt, 8, draw) });
     let cadences = cadences.collect();
-    let script = Script { ids, dt, cadences };
+    let inputs = draw.one(&[["in", "in2"], ["in", "in2"], ["in", "in2"], ["r0", "in2"]]);
+    let script = Script { ids, dt, cadences, inputs };
     let most = if draw.chance(8) { 600 } else { 40 };
     // All that have an id are opened, and the first of them is asked behind them.
     let count = steps(draw, most).min(most).max(if script.ids.len() > 20 { script.ids.len() + 4 } else { 0 });
@@ -279,13 +302,13 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
                 if draw.chance(60) {
                     set(&mut step, "advance_ms", spelled(time));
                 }
-                stimulus(&mut step, draw);
+                stimulus(&mut step, script.inputs, draw);
                 step
             }
             "run_request" => {
                 let mut run = request(kind, &id);
                 set(&mut run, "duration_ms", spelled(time));
-                stimulus(&mut run, draw);
+                stimulus(&mut run, script.inputs, draw);
                 run
             }
             _ => request(kind, &id),

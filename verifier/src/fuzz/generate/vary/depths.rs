@@ -6,7 +6,7 @@ use crate::fuzz::tree::{Step, at, at_mut, int, list, literal, name_at, object, o
 use crate::json::Json;
 
 /// What a reader has to notice wherever it stands, or to pass wherever it stands: as text of a frame.
-const LEAVES: [&str; 20] = [
+const LEAVES: [&str; 23] = [
     "1",
     "-0",
     "1.0",
@@ -20,6 +20,9 @@ const LEAVES: [&str; 20] = [
     "+1",
     "\"\\ud800\"",
     "\"\\ud83d\\ude80\"",
+    "\"\\\\\\ud83d\\ude80\"",
+    "\"\\\\ud83d\"",
+    "\"\\\"\\ud83d\\ude80\"",
     "\"\\x\"",
     "{\"a\":1,\"a\":2}",
     "{\"a\":1,\"\\u0061\":2}",
@@ -83,6 +86,11 @@ pub(super) fn fitted(frame: &str, draw: &mut Draw<'_>) -> (String, usize) {
     let limit = draw.one(&[256, 1024, 4096, 1 << 15, 1 << 16, 1 << 16, 1 << 20, 1 << 20, 1 << 20, 1 << 21, 1 << 22]);
     let total = limit + draw.below(3) - 1;
     let rest = total.saturating_sub(frame.len());
+    if draw.chance(40)
+        && let Some(long) = stretched(frame, rest, draw)
+    {
+        return (long, limit);
+    }
     let long = match draw.below(3) {
         0 => format!("{frame}{}", " ".repeat(rest)),
         1 => format!("{}{frame}", " ".repeat(rest)),
@@ -93,6 +101,33 @@ pub(super) fn fitted(frame: &str, draw: &mut Draw<'_>) -> (String, usize) {
         }
     };
     (long, limit)
+}
+
+/// A frame of which a text or the name of an entry has so many bytes more, or nearly so many: what a peer says about
+/// it may not fit where it is to be said, the less if it needs more room there.
+fn stretched(frame: &str, more: usize, draw: &mut Draw<'_>) -> Option<String> {
+    let mut frame = own(&Json::parse(frame).ok()?);
+    let (unit, room) = draw.one(&[("w", 1), ("w", 1), ("\u{85}", 2), ("\u{e9}", 2), ("\"", 2), ("\\", 2), ("\n", 2)]);
+    let more = unit.repeat(more / room);
+    let sites: Vec<Vec<Step>> = places(&frame)
+        .into_iter()
+        .filter(|place| match at(&frame, place) {
+            Some(Json::String(_)) => true,
+            Some(Json::Object(members)) => !members.is_empty(),
+            _ => false,
+        })
+        .collect();
+    let place = sites.get(draw.below(sites.len()))?;
+    match at_mut(&mut frame, place)? {
+        Json::String(word) => *word = format!("{word}{more}").into(),
+        Json::Object(members) => {
+            let nth = draw.below(members.len());
+            let name = format!("{}{more}", members[nth].0);
+            members[nth].0 = name.into();
+        }
+        _ => return None,
+    }
+    Some(frame.to_string())
 }
 
 fn join(frame: &str, member: &str, front: bool) -> String {

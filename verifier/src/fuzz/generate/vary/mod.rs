@@ -4,7 +4,7 @@
 //! after a hundred steps, within a large frame, beside a name that is nearly equal, at another scale, or together with
 //! what another case has. So a case is taken, by its rule, and changed by one or more ways:
 //!
-//! - *pump*: a step, or some, again and again; the clock and the seqs go on.
+//! - *pump*: a step, or some, again and again; the clock and the seqs go on. Or resets, as often as a byte counts.
 //! - *rounds*: the whole trace several times, a reset between.
 //! - *before*: steps of another case, first.
 //! - *idle*: a step of another case within, many times.
@@ -226,6 +226,7 @@ impl Way {
     /// Changes the arguments this way; how much.
     fn take(self, args: &mut Tree, other: &Tree, draw: &mut Draw<'_>) -> usize {
         match self {
+            Self::Pump if trace_of(args) == Some("steps") && draw.chance(8) => resets(args, draw),
             Self::Pump => pump(args, None, draw),
             Self::Idle => pump(args, Some(other), draw),
             Self::Rounds => rounds(args, draw),
@@ -385,6 +386,17 @@ fn pump(args: &mut Tree, other: Option<&Tree>, draw: &mut Draw<'_>) -> usize {
     let (seconds, seqs) = if draw.chance(85) { times(count) } else { (0.0, 0) };
     steps.splice(behind..behind, copies);
     steps[behind + added..].iter_mut().for_each(|step| later(step, seconds, seqs));
+    count
+}
+
+/// So many resets in a row that a narrow count of them begins anew, or nearly so many.
+fn resets(args: &mut Tree, draw: &mut Draw<'_>) -> usize {
+    let Some(steps) = steps_of(args) else { return 0 };
+    let around = draw.one(&[1 << 4, 1 << 8, 1 << 8, 1 << 8, 1 << 10, 1 << 16]);
+    let count = around + draw.one(&[0, 0, 0, 1]) - draw.one(&[0, 0, 0, 1]);
+    let at = 1 + draw.below(steps.len());
+    let reset = crate::fuzz::tree::object([("op", text("reset"))]);
+    steps.splice(at.min(steps.len())..at.min(steps.len()), std::iter::repeat_n(reset, count));
     count
 }
 
@@ -612,7 +624,8 @@ fn twin(args: &mut Tree, draw: &mut Draw<'_>) -> usize {
         return 0;
     }
     let old = known[draw.below(known.len())].clone();
-    let length = draw.size(1, 240);
+    let most = if draw.chance(25) { 1100 } else { 240 };
+    let length = draw.size(1, most);
     let (one, two) = twins(&old, length, draw);
     let first = draw.chance(50);
     double_up(args, &old, &one, &two, first, "");
@@ -622,8 +635,13 @@ fn twin(args: &mut Tree, draw: &mut Draw<'_>) -> usize {
 /// Two names that are nearly equal; the first may be the given one.
 fn twins(name: &str, length: usize, draw: &mut Draw<'_>) -> (String, String) {
     let filler = draw.one(&['x', 'a', '0']).to_string().repeat(length);
-    match draw.below(9) {
-        0..=3 => (format!("{filler}{name}0"), format!("{filler}{name}1")),
+    match draw.below(12) {
+        9 => {
+            let mut marked = || format!("{name}{}1", draw.pick(&["-", "_", ".", " ", ":", "", "0", "+"]));
+            (marked(), marked())
+        }
+        10 => (format!("{name}1"), draw.nearly(&format!("{name}1"))),
+        0..=3 | 11 => (format!("{filler}{name}0"), format!("{filler}{name}1")),
         4 => (format!("{name}{filler}"), format!("{name}{filler}x")),
         5 => (format!("{name}\u{e9}"), format!("{name}e\u{301}")),
         6 => (name.to_owned(), draw.nearly(name)),
