@@ -553,6 +553,11 @@ mod tests {
         for word in ["M0", "m0", "m0\0x", "\u{ff4d}\u{ff10}", "m\u{660}", "\u{3000}m0", "m", "m_0", "0m"] {
             assert!(drawn.contains(word), "{word:?}");
         }
+        let marked: std::collections::HashSet<String> =
+            (0..3000).map(|number| Draw::new(5, number, &harvest).nearly("uav-1")).collect();
+        for word in ["uav_1", "uav.1", "uav1", "uav-01", "uav-1.0", "u\u{430}v-1", "uav\u{2010}1"] {
+            assert!(marked.contains(word), "{word:?}");
+        }
         assert!(drawn.len() > 40, "{}", drawn.len());
         assert_eq!([wide('z'), wide('0'), wide('/'), wide('\u{e9}')], ['\u{ff5a}', '\u{ff10}', '\u{ff0f}', '\u{e9}']);
     }

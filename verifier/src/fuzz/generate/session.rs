@@ -470,6 +470,28 @@ mod tests {
     }
 
     #[test]
+    fn many_neurons_are_recorded_in_any_order_of_which_a_few_are_driven() {
+        let (menu, harvest) = (whole_menu(), Harvest::default());
+        let count = |targets: Option<&Json<'_>>, is_found: &dyn Fn(&[Json<'_>]) -> bool| {
+            let targets = items(targets.and_then(|targets| targets.get("targets"))).iter();
+            targets.filter(|target| is_found(items(target.get("ids")))).count()
+        };
+        let is_turned =
+            |ids: &[Json<'_>]| ids.len() > 16 && !ids.is_sorted_by_key(|id| double(Some(id)).map(f64::to_bits));
+        let mut found = 0;
+        for number in 0..1500 {
+            let args = run(&menu, &mut Draw::new(3, number, &harvest));
+            for request in items(args.get("requests")).iter().filter_map(|request| request.as_str()) {
+                let Ok(open) = Json::parse(request) else { continue };
+                let (many, few) =
+                    (count(open.get("record"), &is_turned), count(open.get("stimulus"), &|ids| ids.len() > 1));
+                found += usize::from(many > 0 && few > 0);
+            }
+        }
+        assert!(found > 30, "{found}");
+    }
+
+    #[test]
     fn a_population_may_be_empty_a_stimulus_may_have_a_time_and_a_rate_may_be_near_the_largest() {
         let (menu, harvest) = (whole_menu(), Harvest::default());
         let mut found = [0; 3];

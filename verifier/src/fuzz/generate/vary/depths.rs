@@ -81,7 +81,7 @@ pub(super) fn buried(frame: &str, draw: &mut Draw<'_>) -> (String, usize) {
     (join(frame, &member, draw.chance(50)), much)
 }
 
-/// With white space, or a member that nobody knows, so that the frame has just so many bytes.
+/// With white space, a member that nobody knows, or a longer text or name, so that the frame has just so many bytes.
 pub(super) fn fitted(frame: &str, draw: &mut Draw<'_>) -> (String, usize) {
     let limit = draw.one(&[256, 1024, 4096, 1 << 15, 1 << 16, 1 << 16, 1 << 20, 1 << 20, 1 << 20, 1 << 21, 1 << 22]);
     let total = limit + draw.below(3) - 1;
@@ -103,12 +103,12 @@ pub(super) fn fitted(frame: &str, draw: &mut Draw<'_>) -> (String, usize) {
     (long, limit)
 }
 
-/// A frame of which a text or the name of an entry has so many bytes more, or nearly so many: what a peer says about
-/// it may not fit where it is to be said, the less if it needs more room there.
+/// A frame of which a text or the name of an entry has so many bytes more: what a peer says about it may not fit where
+/// it is to be said, the less if it needs more room there.
 fn stretched(frame: &str, more: usize, draw: &mut Draw<'_>) -> Option<String> {
     let mut frame = own(&Json::parse(frame).ok()?);
     let (unit, room) = draw.one(&[("w", 1), ("w", 1), ("\u{85}", 2), ("\u{e9}", 2), ("\"", 2), ("\\", 2), ("\n", 2)]);
-    let more = unit.repeat(more / room);
+    let more = unit.repeat(more / room) + &"w".repeat(more % room);
     let sites: Vec<Vec<Step>> = places(&frame)
         .into_iter()
         .filter(|place| match at(&frame, place) {
@@ -217,6 +217,21 @@ mod tests {
     const FRAME: &str = r#"{"ncp_version":"0.5","kind":"sensor_frame","seq":7}"#;
 
     #[test]
+    fn a_stretched_frame_is_read_as_one_and_has_so_many_bytes_more() {
+        let harvest = Harvest::default();
+        let (mut names, mut values) = (0, 0);
+        for number in 0..60 {
+            let long = stretched(FRAME, 1 << 12, &mut Draw::new(2, number, &harvest)).unwrap();
+            let more = long.len() - FRAME.len();
+            assert_eq!(more, 1 << 12, "{number}");
+            let frame = Json::parse(&long).unwrap();
+            let is_whole = ["ncp_version", "kind", "seq"].iter().all(|name| frame.get(name).is_some());
+            *if is_whole { &mut values } else { &mut names } += 1;
+        }
+        assert!(names > 8 && values > 8, "{names} {values}");
+    }
+
+    #[test]
     fn what_is_buried_leaves_a_frame_whole_unless_its_leaf_is_no_json() {
         let harvest = Harvest::default();
         let (mut read, mut far) = (0, 0);
@@ -230,12 +245,16 @@ mod tests {
     }
 
     #[test]
-    fn a_fitted_frame_is_the_same_frame_and_within_a_byte_of_its_size() {
+    fn a_fitted_frame_has_the_same_members_but_for_a_long_name_and_is_within_a_byte_of_its_size() {
         let harvest = Harvest::default();
         for number in 0..60 {
             let (frame, limit) = fitted(FRAME, &mut Draw::new(2, number, &harvest));
             assert!(frame.len().abs_diff(limit) <= 1, "{} {limit}", frame.len());
-            assert_eq!(Json::parse(&frame).unwrap().get("seq"), Some(&int(7)));
+            let members = Json::parse(&frame).map(|frame| own(&frame)).unwrap();
+            let of = |known: &str| {
+                crate::fuzz::tree::members(Some(&members)).iter().any(|(name, _)| name.starts_with(known))
+            };
+            assert!(of("ncp_version") && of("kind") && of("seq") && frame.contains(":7"), "{number}");
         }
     }
 

@@ -952,6 +952,23 @@ mod tests {
     }
 
     #[test]
+    fn resets_come_in_a_row_as_often_as_a_byte_counts_and_take_no_step_away() {
+        let harvest = Harvest::default();
+        let mut counts = HashSet::new();
+        for number in 0..80 {
+            let step = |name: &str| crate::fuzz::tree::object([("op", text(name))]);
+            let mut args = crate::fuzz::tree::object([("steps", list(vec![step("command"), step("active")]))]);
+            let count = resets(&mut args, &mut Draw::new(4, number, &harvest));
+            let is_reset = |step: &&Tree| string(step, "op") == Some("reset");
+            let steps = items(args.get("steps"));
+            assert_eq!((steps.iter().filter(is_reset).count(), steps.len()), (count, count + 2));
+            assert_eq!(string(&steps[0], "op"), Some("command"));
+            counts.insert(count);
+        }
+        assert!([16, 255, 256, 257, 1 << 16].iter().all(|count| counts.contains(count)), "{counts:?}");
+    }
+
+    #[test]
     fn a_twin_of_a_session_runs_beside_it() {
         let request = |kind: &str| text(format!("{{\"kind\":\"{kind}\",\"session_id\":\"a\"}}"));
         let requests = || list(vec![request("open_session"), request("step_request"), request("close_session")]);
