@@ -161,9 +161,8 @@ impl Command {
     }
 
     /// Changed as a setting says, if it is one of a command: `seq`, `ttl`, `dt`, `t`, `version`, `mode`, `x` for the
-    /// speed
-    /// along x, `v` for the channels, `then` for a horizon of speeds along x, and `horizon` for one of channels, with
-    /// slashes between its ticks, of which `9*1,0,0` is nine.
+    /// speed along x, `v` for the channels, `then` for a horizon of speeds along x, and `horizon` for one of channels,
+    /// with slashes between its ticks, of which `9*1,0,0` is nine.
     pub(crate) fn setting(&mut self, place: Place, name: &str, value: &str) -> Result<bool, ScenarioError> {
         let some = |text: &str| (text != "-").then(|| text.to_owned());
         match name {

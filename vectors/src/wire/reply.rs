@@ -44,6 +44,9 @@ fn of_other_contents() -> Vec<Case> {
     let table = [
         ("seed", own(), opened(seeded), "names another seed, backend and network"),
         ("populations", own(), opened("null").with("resolved", Json::read(r#"{"b":9,"c":0}"#)), "resolves others"),
+        ("sizes", own(), opened("null").with("resolved", Json::read(r#"{"a":9}"#)), "resolves it in another size"),
+        ("no-size", own(), opened("null").with("resolved", Json::read(r#"{"a":0}"#)), "resolves it as empty"),
+        ("more-time", run(), observed(15.0, "{}"), "is of more time than the run"),
         ("less-time", step(), observed(5.0, "{}"), "is of less time than the step"),
         ("no-time", run(), observed(0.0, "{}"), "is of no time"),
         ("earlier", step(), observed(-2.5, "{}"), "is of a time below 0"),
