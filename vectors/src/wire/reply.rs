@@ -120,24 +120,30 @@ fn kinds_of_large() -> Vec<Case> {
     let rest = frame.strip_prefix('{').unwrap_or(&frame);
     let last = rest.replace(r#""kind":"observation_frame","#, "").replace('}', r#","kind":"observation_frame"}"#);
     let spelled = |from: &str, to: &str| rest.replace(from, to);
+    let of_escapes = || spelled("\"observation_frame\"", "\"observation\\u005fframe\"");
+    // Its name in a string in front, where who only looks for it finds it.
+    let beside = r#""x":"\"kind\":\"observation_frame\"","#;
     let table = [
-        ("kind-last", last, "whose kind is its last member", true),
-        ("kind-escaped", spelled("\"kind\"", "\"k\\u0069nd\""), "whose member `kind` is written with an escape", true),
+        ("kind-last", beside, last, "whose kind is its last member", true),
         (
-            "kind-of-escapes",
-            spelled("\"observation_frame\"", "\"observation\\u005fframe\""),
-            "whose kind is written with an escape",
+            "kind-escaped",
+            beside,
+            spelled("\"kind\"", "\"k\\u0069nd\""),
+            "whose member `kind` is written with an escape",
             true,
         ),
+        ("kind-of-escapes", beside, of_escapes(), "whose kind is written with an escape", true),
+        ("kind-of-escapes-alone", "", of_escapes(), "whose kind stands in it only with an escape", true),
         (
             "kind-in-a-string",
+            beside,
             spelled("\"observation_frame\"", "\"session_opened\""),
             "that has only the name of the kind in a string",
             false,
         ),
     ];
-    let case = |(name, rest, words, is_read): (&str, String, &str, bool)| {
-        let open = r#"{"x":"\"kind\":\"observation_frame\"","pad":""#;
+    let case = |(name, beside, rest, words, is_read): (&str, &str, String, &str, bool)| {
+        let open = format!("{{{beside}\"pad\":\"");
         let reply = Text::concat([open.into(), Text::repeat("x", SIZE), format!("\",{rest}").into()]);
         let rules: &[&'static str] = if is_read { &["NCP-SESS-007", "NCP-WIRE-063"] } else { &["NCP-WIRE-060"] };
         let case = Case::new(format!("step_request/size/{name}"), rules, &[Commander])

@@ -85,6 +85,7 @@ fn sizes() -> Vec<Case> {
 fn observation_sizes() -> Vec<Case> {
     let kind = "observation_frame";
     let frame = explicit(kind).text();
+    let of_escapes = frame.replace("\"observation_frame\"", "\"observation\\u005fframe\"");
     let read = |what: &str, text: Text| {
         Case::new(format!("{kind}/size/{what}"), &["NCP-WIRE-063"], readers(kind))
             .flags(&["low-limits"])
@@ -96,6 +97,10 @@ fn observation_sizes() -> Vec<Case> {
         read("beyond-1-mib", padded(&frame, MIB + 1, "x")).title("An `observation_frame` of 1 MiB and a byte is read."),
         read("white-space-beyond-1-mib", spaced(&frame, 2 * MIB))
             .title("An `observation_frame` of 2 MiB, most of it white space, is read."),
+        read("kind-of-escapes-beyond-1-mib", padded(&of_escapes, 2 * MIB, "x"))
+            .title("An `observation_frame` of 2 MiB whose kind stands in it only with an escape is read."),
+        read("kind-of-escapes-behind-1-mib", padded_before(&of_escapes, 2 * MIB))
+            .title("An `observation_frame` of 2 MiB whose kind stands behind most of it, with an escape, is read."),
         read("at-limit", padded(&frame, OBSERVATION, "x"))
             .flags(&["slow"])
             .title("An `observation_frame` of exactly 64 MiB is read."),
