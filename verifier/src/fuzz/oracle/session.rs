@@ -25,6 +25,10 @@ const OPEN_ALREADY: &str = "a session that is open already, SESS-030";
 /// How long a request is whose reply may be too long, though it is not itself.
 const LONG: std::ops::RangeInclusive<usize> = 1_000_000..=1 << 20;
 
+/// Why either refusal is right of an opening that breaks no rule of chapter 1: what the specification says of it does
+/// not fit into a `session_opened`, and what another server says may.
+const UNSAID: &str = "how a server refuses to open what it cannot name in a frame is its own affair";
+
 /// Why it is open what becomes of an opening while another session is open.
 const FULL: &str = "a server may refuse a session while it holds another, SESS-041";
 
@@ -83,13 +87,15 @@ fn judge(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'_>>, has_
         let refused = theirs.get(nth).and_then(|reply| reply.as_str()).is_some_and(refuses);
         let is_full = (refused || has_room_for_one) && (!open.is_empty() || !unknown.is_empty());
         let is_surely_full = has_room_for_one && !open.is_empty();
-        let may_be_refused = own_openness(request.as_str().unwrap_or_default(), &of, strict);
+        let frame = request.as_str().unwrap_or_default();
+        let may_be_refused = own_openness(frame, &of, strict);
         if let (None, Some(why)) = (&asked, may_be_refused) {
             return Verdict::Open(why);
         }
         let why = may_be_refused
             .or_else(|| unknown.get(&id).copied())
             .or_else(|| opening_openness(asked.as_ref(), &reply, &kind, is_open, is_full, may_open))
+            .or_else(|| (may_open && kind == "error" && is_read(&of, frame)).then_some(UNSAID))
             .or_else(|| open.get(&id)?.step_openness(asked.as_ref()?, &of));
         let is_closed = kind == "session_closed" && may_be_refused.is_none();
         let known = if is_closed || why.is_some() {
@@ -161,6 +167,12 @@ fn own_openness(written: &str, of: &str, strict: bool) -> Option<&'static str> {
     // Its reply may be longer than a frame may be.
     let is_long = LONG.contains(&written.len()) && written.contains("population_sizes");
     why.or(is_long.then_some("what a request leaves whose reply would be longer than a frame may be"))
+}
+
+/// Whether the specification reads a frame as one of this kind.
+fn is_read(kind: &str, written: &str) -> bool {
+    let args = object([("kind", text(kind.to_owned())), ("text", text(written.to_owned()))]);
+    matches!(specification(Call::Decode, &args.to_string()), Answer::Result(_))
 }
 
 /// What the text leaves open of the opening of a session; `is_full`: the peer refuses it and may hold another;
@@ -632,6 +644,26 @@ mod tests {
         for rejected in [reply("", "close_session"), reply(&own_version, "step_request")] {
             assert!(!rejected.contains("session_closed") && rejected.contains("error"), "{rejected}");
         }
+    }
+
+    #[test]
+    fn an_opening_whose_refusal_does_not_fit_into_a_frame_may_be_refused_in_either_way() {
+        let call = crate::peer::Call::SessionRun;
+        let ask = |network: &str| {
+            let head = format!(r#""ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"a""#);
+            let request = format!(r#"{{{head},"network":{{"ref":{network}}}}}"#);
+            let args = object([("requests", list(vec![text(request)]))]);
+            let answer = specification(call, &args.to_string());
+            let Answer::Result(result) = &answer else { panic!("{answer:?}") };
+            let is_error = result.contains(r#"\"kind\":\"error\""#);
+            (is_error, expectation(&Input { call, args }, &answer, None))
+        };
+        // What is not ASCII takes more room in what is said about it.
+        let long = text("\u{85}".repeat(300_000)).to_string();
+        let (is_error, verdict) = ask(&long);
+        assert!(is_error && verdict == Verdict::Open(UNSAID), "{is_error} {verdict:?}");
+        let (is_error, verdict) = ask("5");
+        assert!(is_error && matches!(verdict, Verdict::Expect(_)), "{is_error} {verdict:?}");
     }
 
     #[test]
