@@ -273,7 +273,8 @@ impl Case {
         let expect = if is_pattern { runs::of_pattern(self.expect) } else { self.expect };
         json = json.and("call", self.call.into()).and("args", args).and("expect", expect);
         if !self.by.is_empty() {
-            json = json.and("by", Json::Object(self.by.into_iter().map(|(at, rule)| (at, rule.into())).collect()));
+            let by = runs::of_places(self.by).into_iter();
+            json = json.and("by", Json::Object(by.map(|(at, rule)| (at, rule.into())).collect()));
         }
         if !self.rests_on.is_empty() {
             json = json.and("rests_on", Json::Array(self.rests_on.into_iter().map(Json::from).collect()));

@@ -1,4 +1,6 @@
-//! Long runs of items in the lists of a case, each written once.
+//! Long runs of items in the lists of a case, and of steps that one rule decides, each written once.
+
+use std::collections::BTreeMap;
 
 use crate::json::{Json, object};
 
@@ -25,6 +27,45 @@ pub(crate) fn of_arguments(value: Json, lists: &[&str]) -> Json {
 /// `{"$items": […], "times": …}`.
 pub(crate) fn of_pattern(value: Json) -> Json {
     written(value, false, &|_| true, &|items| longest([rounds(items, false), equal(items)]))
+}
+
+/// The rules by the places that they decide, with steps at equal distances as one place: `/steps/*1-99+2` stands for
+/// every second step from 1 to 99.
+pub(crate) fn of_places(by: BTreeMap<String, &'static str>) -> BTreeMap<String, &'static str> {
+    let mut steps: BTreeMap<&'static str, Vec<usize>> = BTreeMap::new();
+    let mut places = BTreeMap::new();
+    for (place, rule) in by {
+        match place.strip_prefix(STEPS).and_then(|step| step.parse().ok()) {
+            Some(step) => steps.entry(rule).or_default().push(step),
+            None => _ = places.insert(place, rule),
+        }
+    }
+    for (rule, mut steps) in steps {
+        steps.sort_unstable();
+        while let Some((first, apart, count)) = from_the_first(&steps) {
+            let last = first + (count - 1) * apart;
+            let place = if count == 1 { format!("{STEPS}{first}") } else { format!("{STEPS}*{first}-{last}+{apart}") };
+            places.insert(place, rule);
+            steps.retain(|step| *step > last || (step - first) % apart != 0);
+        }
+    }
+    places
+}
+
+/// Where the steps of a trace stand.
+const STEPS: &str = "/steps/";
+
+/// The longest run from the first of ascending steps on: where it begins, how far apart its steps are, and how many
+/// they are; one, where there is no long run.
+fn from_the_first(steps: &[usize]) -> Option<(usize, usize, usize)> {
+    let first = *steps.first()?;
+    let apart = steps.iter().skip(1).take(ROUND).map(|step| step - first);
+    let count = |apart: &usize| {
+        let next = |count| steps.binary_search(&(first + count * apart)).is_ok();
+        (1..).find(|count| !next(*count)).unwrap_or(1)
+    };
+    let longest = apart.map(|apart| (first, apart, count(&apart))).max_by_key(|(.., count)| *count);
+    Some(longest.filter(|(.., count)| *count > FEW).unwrap_or((first, 1, 1)))
 }
 
 /// How many items a run has, and what stands for it.
@@ -193,6 +234,27 @@ mod tests {
 
     fn list(items: impl Iterator<Item = String>) -> String {
         format!(r#"{{"steps":[{}]}}"#, items.collect::<Vec<_>>().join(","))
+    }
+
+    #[test]
+    fn steps_at_equal_distances_are_one_place_and_the_others_stand_for_themselves() {
+        const LATCH: &str = "NCP-SAFE-005";
+        let of = |steps: &[usize]| steps.iter().map(|step| (format!("/steps/{step}"), LATCH)).collect::<Vec<_>>();
+        let rounds: Vec<usize> = (0..40).flat_map(|round| [6 * round + 1, 6 * round + 3]).chain([500]).collect();
+        let by = of(&rounds).into_iter().chain([("/steps/2/frame".to_owned(), "NCP-SAFE-006")]).collect();
+        let places = of_places(by);
+        let places: Vec<_> = places.iter().map(|(place, rule)| (place.as_str(), *rule)).collect();
+        assert_eq!(
+            places,
+            [
+                ("/steps/*1-235+6", LATCH),
+                ("/steps/*3-237+6", LATCH),
+                ("/steps/2/frame", "NCP-SAFE-006"),
+                ("/steps/500", LATCH)
+            ]
+        );
+        let few = of(&[0, 1, 2, 3, 4, 5, 6, 7]).into_iter().collect();
+        assert_eq!(of_places(few).len(), 8);
     }
 
     #[test]

@@ -8,6 +8,9 @@ use crate::json::{Json, object};
 /// How many bytes of one character are a long run.
 const LONG: usize = 600;
 
+/// How many letters of base64 three entries of a directory take.
+const ENTRIES: usize = 64;
+
 /// A text of `args` or `expect`, written out or as a template that the runner expands.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Text {
@@ -39,13 +42,17 @@ impl Text {
         Self::Count(before.to_owned(), after.to_owned(), times)
     }
 
-    /// The base64 of bytes, written out but for the first long run of zeros.
+    /// The base64 of bytes, written out but for the first long run of zeros, or of three equal directory entries.
     pub(crate) fn base64_of(bytes: &[u8]) -> Self {
         let text = STANDARD.encode(bytes);
-        let Some(begins) = text.find(&"A".repeat(LONG)) else { return Self::Plain(text) };
-        let (before, rest) = text.split_at(begins);
-        let behind = rest.trim_start_matches('A');
-        Self::concat([before.into(), Self::repeat("A", rest.len() - behind.len()), behind.into()])
+        let run = |part: &str| {
+            let begins = text.find(&part.repeat(LONG / part.len()))?;
+            let (before, rest) = text.split_at(begins);
+            let behind = rest.trim_start_matches(part);
+            let times = (rest.len() - behind.len()) / part.len();
+            Some(Self::concat([before.into(), Self::repeat(part, times), behind.into()]))
+        };
+        run("A").or_else(|| run(text.get(ENTRIES..2 * ENTRIES)?)).unwrap_or(Self::Plain(text))
     }
 
     /// A text, written out but for each long run of one character.
@@ -122,6 +129,17 @@ impl From<Text> for Json {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn blocks_of_equal_entries_are_folded_and_stay_the_same() {
+        let mut bytes = b"NCPB\x01\x00\x00\x10\x0b\x00\x01\x00".to_vec();
+        bytes.extend((0..400).flat_map(|_| [0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0]));
+        bytes.extend([7, 8, 9]);
+        let folded = Text::base64_of(&bytes);
+        assert_eq!(folded.expanded(), STANDARD.encode(&bytes));
+        let Text::Concat(parts) = folded else { panic!("the entries are folded") };
+        assert!(matches!(&parts[1], Text::Repeat(part, 130..) if part.len() == ENTRIES), "{parts:?}");
+    }
 
     #[test]
     fn long_runs_are_folded_and_the_text_stays_the_same() {

@@ -256,7 +256,7 @@ fn rounded() -> Vec<Case> {
 
 /// Columns of many rows.
 fn long() -> Vec<Case> {
-    [("i32", 262_145), ("f64", 262_145)]
+    let mut cases: Vec<Case> = [("i32", 262_145), ("f64", 262_145)]
         .into_iter()
         .map(|(dtype, rows)| {
             let column = object! { "name" => "v", "dtype" => dtype, "data" => many(Json::literal("0"), rows) };
@@ -267,7 +267,20 @@ fn long() -> Vec<Case> {
                 .flags(&["low-limits"])
                 .because("A block may have 64 MiB; a column has no limit of its own.")
         })
-        .collect()
+        .collect();
+    // A writer that saves room would write equal data once, and let both entries name it.
+    let column = |name: &str, dtype: &str| {
+        object! { "name" => name, "dtype" => dtype, "data" => many(Json::literal("0"), 3_000) }
+    };
+    let columns = || Json::Array(vec![column("a", "f64"), column("b", "i32"), column("c", "f64"), column("d", "i32")]);
+    cases.push(
+        encode("round-trip/long/equal-columns", &["NCP-BULK-030"], columns())
+            .gives_columns(columns())
+            .title("Columns of 3,000 rows whose data is equal in pairs are written as a block that holds just that.")
+            .flags(&["overlapping-regions"])
+            .because("A decoder by the rules accepts the block, and so no two regions of it share a byte."),
+    );
+    cases
 }
 
 fn refused() -> Vec<Case> {

@@ -390,6 +390,18 @@ fn wrapped() -> Vec<Case> {
             .flags(&["low-limits"])
             .because("A block may have 64 MiB; a column has no limit of its own."),
     );
+    // Times and values that are equal byte for byte, and so are senders of zeros.
+    let zeros = || many(Json::literal("0"), 3_000);
+    let column = |name: &str, dtype: &str| object! { "name" => name, "dtype" => dtype, "data" => zeros() };
+    cases.push(
+        Case::new("pack/many-alike", &["NCP-OBS-001", "NCP-BULK-030"], &[Server])
+            .call("observation.pack", object! { "times" => zeros(), "values" => zeros(), "senders" => zeros() })
+            .gives_columns(Json::Array(vec![column("times", "f64"), column("values", "f64"), column("senders", "i64")]))
+            .title("An observation of 3,000 times, values and senders that are all 0 is packed as three columns.")
+            .flags(&["low-limits"])
+            .because("Each array that is not empty has a column, and no two regions may share a byte.")
+            .rests_on("bulk/encode/round-trip/long/equal-columns"),
+    );
     for rows in [257, 65_537] {
         let block = of_zeros(&[("times", 2, rows), ("values", 2, rows), ("senders", 4, rows)]);
         cases.push(

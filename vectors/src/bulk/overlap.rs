@@ -204,12 +204,14 @@ fn among_hundreds() -> Vec<Case> {
         (600, "name/last-two", "the names of the last two"),
         (600, "name/first-and-last", "the names of the first and the last"),
         (1100, "name/last-two", "the names of the last two"),
+        (4096, "data/directory", "the directory and the data of the last"),
     ];
     let one = |(count, what, says): (usize, &str, &str)| {
         let block = block(count);
         let (mut data, mut names) = (block.data.clone(), block.names.clone());
         match what {
             "data/last-two" => data[count - 1] = data[count - 2],
+            "data/directory" => data[count - 1] = 12 + 16 * (count / 2),
             "name/last-two" => names[count - 1] = names[count - 2] + 1,
             _ => names[count - 1] = names[0] + 1,
         }

@@ -59,23 +59,23 @@ fn extremes() -> Vec<Case> {
     let columns = extreme_columns().into_iter();
     columns
         .map(|(what, column, says)| {
-            // Those beyond doubles are about values that come back exactly, not about their bytes.
-            let is_lossy = what == "i64-beyond-doubles";
-            let rule = if !is_lossy && (what.starts_with('i') || what.ends_with("plain")) {
-                "NCP-BULK-022"
-            } else {
-                "NCP-BULK-023"
-            };
-            read(
-                what,
-                &[rule, if rule == "NCP-BULK-022" { "NCP-BULK-023" } else { "NCP-BULK-022" }],
-                &Block::new([column]),
-            )
-            .title(format!("A column of {says} is read exactly."))
-            .flags(&[if what.starts_with('i') { "narrow-integers" } else { "lossy-doubles" }])
-            .because("Every value is given exactly, a NaN as a NaN, and both zeros apart.")
+            read(what, &rules_of(what), &Block::new([column]))
+                .title(format!("A column of {says} is read exactly."))
+                .flags(&[if what.starts_with('i') { "narrow-integers" } else { "lossy-doubles" }])
+                .because("Every value is given exactly, a NaN as a NaN, and both zeros apart.")
         })
         .collect()
+}
+
+/// The rule that a column of these values is about, and the other one.
+fn rules_of(what: &str) -> [&'static str; 2] {
+    // Those beyond doubles are about values that come back exactly, not about their bytes.
+    let is_lossy = what == "i64-beyond-doubles";
+    if !is_lossy && (what.starts_with('i') || what.ends_with("plain")) {
+        ["NCP-BULK-022", "NCP-BULK-023"]
+    } else {
+        ["NCP-BULK-023", "NCP-BULK-022"]
+    }
 }
 
 /// NaNs of other bits than the usual ones.
@@ -124,6 +124,33 @@ fn unaligned() -> Vec<Case> {
                     .title(format!("A column of {dtype} that begins at the offset {at} is read."))
                     .flags(&["alignment"])
                     .because("A column may begin at any offset."),
+            );
+        }
+    }
+    cases.extend(unaligned_extremes());
+    cases
+}
+
+/// The values that a careless reader changes, where a careful one has to put the bytes together itself.
+fn unaligned_extremes() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (what, column, says) in extreme_columns() {
+        let dtype = column.values.dtype();
+        let width = if dtype.ends_with("64") { 8 } else { 4 };
+        for at in [33, 36] {
+            if at % width == 0 || what.ends_with("plain") {
+                continue;
+            }
+            let block = Block::new([column.clone()]);
+            let data = block.len - block.data.first().copied().unwrap_or_default();
+            let block = block.laid_out(&[28], &[at], at + data);
+            cases.push(
+                read(format!("unaligned/{what}-at-{at}"), &[&rules_of(what)[..], &["NCP-BULK-018"]].concat(), &block)
+                    .title(format!("A column of {says} that begins at the offset {at} is read exactly."))
+                    .flags(&["alignment"])
+                    .because("A column may begin at any offset, and every value is given exactly.")
+                    .rests_on(format!("bulk/values/{what}"))
+                    .rests_on(format!("bulk/values/unaligned/{dtype}-at-{at}")),
             );
         }
     }

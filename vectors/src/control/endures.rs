@@ -9,17 +9,23 @@ use crate::trace::num;
 
 pub(super) fn cases() -> Vec<Case> {
     let rounds = ROUNDS.into_iter().flat_map(|round| TIMES.map(|times| round.case(times)));
-    rounds.chain(between_ticks()).collect()
+    rounds.chain(between_ticks()).chain([begun_again()]).collect()
 }
 
 /// Frames of which a thousand come between two ticks: behind the newest, or before it.
-fn between_ticks() -> [Case; 2] {
+fn between_ticks() -> [Case; 3] {
     const MANY: i64 = 1_100;
     let at = FIRST + 0.125;
     let newest = |seq| vec![elsewhere(seq, at)];
     let older = [newest(3), (0..MANY).map(|_| inside(2, at)).collect()].concat();
+    let begun_again = [newest(3 + MANY), (3..3 + MANY).map(|seq| inside(seq, at)).collect()].concat();
     let newer = [(3..3 + MANY).map(|seq| inside(seq, at)).collect(), newest(3 + MANY)].concat();
-    [("older", "behind it", older), ("newer", "before it", newer)].map(|(name, words, frames)| {
+    let streams = [
+        ("older", "behind it", older),
+        ("older-and-rising", "rise behind it", begun_again),
+        ("newer", "before it", newer),
+    ];
+    streams.map(|(name, words, frames)| {
         let before = vec![inside(2, FIRST), moves(FIRST)];
         let steps = [before, frames, vec![moves_by(&[-0.25, 0.0, 0.0], at)]].concat();
         let limits = object! { "geofence_radius_m" => num(5.0) };
@@ -27,6 +33,23 @@ fn between_ticks() -> [Case; 2] {
             .title(format!("The loop acts on the newest frame, however many others come {words} before the tick."))
             .because("What a loop decides depends on its latch and on the frames, and on no count of either.")
     })
+}
+
+/// A sensor that begins again at 1, and of which every frame is followed by a tick.
+fn begun_again() -> Case {
+    const NEWEST: i64 = 5_000;
+    #[expect(clippy::cast_precision_loss, reason = "a few hundred")]
+    let at = |nth: i64| FIRST + 0.5625 + nth as f64 / 8.0;
+    let again = (1..=300).flat_map(|nth| [elsewhere(nth, at(nth)), holds(at(nth))]);
+    let late = at(301);
+    let steps = [inside(NEWEST, FIRST), moves(FIRST)].into_iter().chain(again);
+    let steps = steps.chain([inside(NEWEST + 1, late), moves(late)]).collect();
+    let limits = object! { "geofence_radius_m" => num(5.0) };
+    run("endures/begun-again", &["NCP-CTRL-011", "NCP-CTRL-012"], 50.0, limits, steps)
+        .title("A sensor whose seq begins again holds the plant at each of 300 ticks, until its seq is newer.")
+        .because(
+            "A sensor whose seq begins again is not newer, and so is held before a reset, however long it goes on.",
+        )
 }
 
 /// How often a round comes: few enough for what is wrong from the beginning, and many.

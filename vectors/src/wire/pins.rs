@@ -93,16 +93,22 @@ fn in_large_frames() -> Vec<Case> {
                 };
                 [before.into(), Text::repeat(item, count), after.into()]
             };
-            for place in ["before", "behind"] {
+            for place in ["before", "behind", "behind-escaped"] {
                 let [a_part, b_part, c_part] = large();
-                let text = if place == "before" {
+                let broken = if place.ends_with("escaped") { escaped(pin, &broken) } else { broken.clone() };
+                let text = if place.starts_with("before") {
                     Text::concat([format!("{front},{broken},").into(), a_part, b_part, c_part, "}".into()])
                 } else {
                     Text::concat([format!("{front},").into(), a_part, b_part, c_part, format!(",{broken}}}").into()])
                 };
                 cases.push(
                     Case::new(format!("{kind}/{pin}/large/{size}/{place}"), &[rule], readers(kind))
-                        .title(format!("{} of {words} whose `{member}` is {} is rejected ({place}).", a(kind), !pinned))
+                        .title(format!(
+                            "{} of {words} whose `{member}` is {} is rejected ({}).",
+                            a(kind),
+                            !pinned,
+                            place.replace('-', ", ")
+                        ))
                         .flags(&["unchecked-pins"])
                         .decode(kind, text)
                         .rejects("provenance")
@@ -112,6 +118,11 @@ fn in_large_frames() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// The same with an escape in the name of a member.
+fn escaped(name: &str, text: &str) -> String {
+    text.replace(name, &name.replacen('_', "\\u005f", 1))
 }
 
 /// A flipped pin among other members that say something, on each road to the frame: none of them is a reason to let it

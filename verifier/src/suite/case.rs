@@ -82,7 +82,8 @@ pub struct Case {
 /// By which rules an answer is judged, where another decides than the one that the case is about.
 #[derive(Debug, Default)]
 pub struct By {
-    /// By JSON pointers into the answer: each rule decides what is there and below. A `*` stands for any one token.
+    /// By JSON pointers into the answer: each rule decides what is there and below. A `*` stands for any one token,
+    /// and `*1-99+2` for every second number from 1 to 99.
     pub places: Vec<(String, Arc<Requirement>)>,
     /// The rule against a crash where an answer is asked for.
     pub crash: Option<Arc<Requirement>>,
@@ -102,12 +103,26 @@ impl By {
     pub fn at(&self, place: &str) -> Option<&Arc<Requirement>> {
         let holds = |at: &str| {
             let mut tokens = place.split('/');
-            at.split('/').all(|wanted| tokens.next().is_some_and(|token| wanted == "*" || wanted == token))
+            at.split('/').all(|wanted| tokens.next().is_some_and(|token| stands_for(wanted, token)))
         };
         let holding = self.places.iter().filter(|(at, _)| holds(at));
         let deepest = holding.max_by_key(|(at, _)| at.split('/').count()).map(|(_, rule)| rule);
         deepest.or_else(|| self.within.as_ref().filter(|_| !place.is_empty()))
     }
+}
+
+/// Whether a token of a place in `by` stands for one of the answer.
+fn stands_for(wanted: &str, token: &str) -> bool {
+    wanted == "*" || wanted == token || is_among(wanted, token).unwrap_or(false)
+}
+
+/// Whether a token is among the numbers of `*1-99+2`; none, where one of both says no number.
+fn is_among(numbers: &str, token: &str) -> Option<bool> {
+    let (first, rest) = numbers.strip_prefix('*')?.split_once('-')?;
+    let (last, apart) = rest.split_once('+')?;
+    let (first, last, apart) = (first.parse().ok()?, last.parse().ok()?, apart.parse().ok()?);
+    let number: usize = token.parse().ok()?;
+    Some((first..=last).contains(&number) && (number - first).checked_rem(apart) == Some(0))
 }
 
 /// What a peer has to answer, and by which relation the answer is compared with it.
@@ -284,6 +299,27 @@ fn asks_strictly(call: Call, args: &Template) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_place_of_by_stands_for_a_token_for_any_or_for_numbers_at_equal_distances() {
+        for (wanted, token, stands) in [
+            ("7", "7", true),
+            ("7", "17", false),
+            ("*", "anything", true),
+            ("*1-99+2", "1", true),
+            ("*1-99+2", "51", true),
+            ("*1-99+2", "99", true),
+            ("*1-99+2", "50", false),
+            ("*1-99+2", "101", false),
+            ("*3-99+2", "1", false),
+            ("*1-99+2", "data", false),
+            ("*1-99+0", "1", false),
+            ("*1-99", "1", false),
+            ("1-99+2", "1", false),
+        ] {
+            assert_eq!(stands_for(wanted, token), stands, "{wanted} and {token}");
+        }
+    }
 
     #[test]
     fn what_asks_by_the_strict_profile_is_of_its_level() {

@@ -515,6 +515,24 @@ pub(super) fn far_samples() -> Vec<Case> {
                 .because(why),
         );
     }
+    // Samples so many that the times of a sum which goes on and on leave the grid.
+    for (name, every, dt) in [("three-tenths", 3, 0.1), ("seven-tenths", 7, 0.1), ("thirds-of-2.1", 3, 0.7)] {
+        const MANY: u32 = 60_000;
+        let open = Open { records: ports("rate", every, dt), dt, ..Open::rate("a") };
+        let mut trace = vec![(open.text(), opened("a"))];
+        for steps in [MANY, 2 * MANY] {
+            trace.push((run("a", f64::from(MANY) * dt), observed("a", f64::from(steps) * dt)));
+        }
+        let times = multiples(every, 2 * MANY, 2 * MANY + 10, dt);
+        trace.push((run("a", 10.0 * dt), recorded("a", at("out", &times))));
+        cases.push(
+            reference(format!("far/cadence/often/{name}"), &["NCP-SESS-053"], trace)
+                .title(format!(
+                    "A port of a cadence of {every} steps of {dt} ms is sampled at its multiples behind 120,000 steps."
+                ))
+                .because(why),
+        );
+    }
     // Two ports, each by its own cadence.
     let records = vec![record("often", "V_m", 21_000.0), record("rarely", "V_m", 65_537.0)];
     let open = Open { records, ..Open::lif("a") };
