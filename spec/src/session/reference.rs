@@ -98,11 +98,17 @@ impl Record {
         self.target.observable == Observable::Spikes
     }
 
-    /// The most samples of `steps` steps, of a network whose neurons rest for `rest` steps after a spike.
-    #[expect(clippy::cast_precision_loss)] // it is an estimate
-    fn most_samples(&self, steps: f64, rest: f64) -> f64 {
-        let every = if self.is_of_spikes() { 1.0 + rest } else { self.every as f64 };
-        (steps / every + 1.0).min(steps) * count(self.port.neurons.len())
+    /// The samples of `steps` steps behind `before` others; of spikes the most, in a network whose neurons rest for `rest`
+    /// steps after one.
+    #[expect(clippy::cast_precision_loss)] // steps stay far below 2^53, and a cadence beyond gives no sample
+    fn most_samples(&self, before: f64, steps: f64, rest: f64) -> f64 {
+        let times = if self.is_of_spikes() {
+            (steps / (1.0 + rest) + 1.0).min(steps)
+        } else {
+            let every = self.every as f64;
+            ((before + steps) / every).floor() - (before / every).floor()
+        };
+        times * count(self.port.neurons.len())
     }
 }
 
@@ -378,7 +384,8 @@ impl Simulation for Network {
         let neurons: f64 = self.populations.iter().map(|p| count(p.neurons.len())).sum();
         let watched: f64 = self.records.iter().map(|r| count(r.port.neurons.len())).sum();
         let rest = self.model.rest_steps();
-        let samples: f64 = self.records.iter().map(|r| r.most_samples(steps, rest)).sum();
+        let before = count_of(self.steps);
+        let samples: f64 = self.records.iter().map(|r| r.most_samples(before, steps, rest)).sum();
         let can = advance_ms >= 0.0
             && steps <= MAX_STEPS
             && steps * (neurons + watched) <= MAX_WORK
@@ -387,7 +394,7 @@ impl Simulation for Network {
             return Err(BackendError::Time { name: "advance_ms", value_ms: advance_ms });
         }
         // [NCP-SESS-057]
-        if ((count_of(self.steps) + steps) * self.dt_ms).is_finite() { Ok(()) } else { Err(BackendError::Overflow) }
+        if ((before + steps) * self.dt_ms).is_finite() { Ok(()) } else { Err(BackendError::Overflow) }
     }
 
     fn advance(&mut self, advance_ms: f64) -> Result<SortedMap<Observation>, BackendError> {
@@ -622,5 +629,16 @@ mod tests {
             network(&OpenSession { stimulus: StimulusSpec::default(), ..busy.clone() }).check_advance(1_000.0).is_ok()
         );
         assert!(network(&OpenSession { stimulus: StimulusSpec::default(), ..busy }).check_advance(1_000.1).is_err());
+    }
+
+    /// A sample is one by the cadence: what is not due in a request costs it nothing.
+    #[test]
+    fn as_many_samples_as_a_server_bears_are_counted_by_the_cadence_since_the_opening() {
+        let mut network = network(&session("ncp.reference.lif", 100_000, &[(Observable::Vm, 1.0)]));
+        assert!(network.check_advance(10.9).is_ok(), "ten samples of 100,000 neurons in 109 steps");
+        assert!(network.check_advance(11.0).is_err(), "eleven in 110");
+        network.advance(0.5).unwrap();
+        assert!(network.check_advance(10.4).is_ok(), "ten from step 5 to 109");
+        assert!(network.check_advance(10.5).is_err(), "eleven from step 5 to 110");
     }
 }

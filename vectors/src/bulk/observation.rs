@@ -391,11 +391,12 @@ fn wrapped() -> Vec<Case> {
             .because("A block may have 64 MiB; a column has no limit of its own."),
     );
     // Times and values that are equal byte for byte, and so are senders of zeros.
-    let zeros = || many(Json::literal("0"), 3_000);
-    let column = |name: &str, dtype: &str| object! { "name" => name, "dtype" => dtype, "data" => zeros() };
+    let zeros = |dtype: &str| many(if dtype == "i64" { Json::string("0") } else { Json::literal("0") }, 3_000);
+    let column = |name: &str, dtype: &str| object! { "name" => name, "dtype" => dtype, "data" => zeros(dtype) };
+    let arrays = object! { "times" => zeros("f64"), "values" => zeros("f64"), "senders" => zeros("i64") };
     cases.push(
         Case::new("pack/many-alike", &["NCP-OBS-001", "NCP-BULK-030"], &[Server])
-            .call("observation.pack", object! { "times" => zeros(), "values" => zeros(), "senders" => zeros() })
+            .call("observation.pack", arrays)
             .gives_columns(Json::Array(vec![column("times", "f64"), column("values", "f64"), column("senders", "i64")]))
             .title("An observation of 3,000 times, values and senders that are all 0 is packed as three columns.")
             .flags(&["low-limits"])
@@ -474,6 +475,23 @@ fn not_unpacked() -> Vec<Case> {
         ("overlap", golden.entry(1, Part::DataOff, 0x38), "NCP-BULK-012", "whose columns share their bytes"),
         ("rows", alone.entry(0, Part::Rows, 2), "NCP-BULK-011", "whose only column reaches beyond the end"),
     ];
+    // Names from 60 on, data from 80, 96 and 112 on: each region begins behind the one before it, and within it.
+    let three = Block::new([f64s("times", [0.5, 1.5]), f64s("values", [2.5, 3.5]), i64s("senders", [7, 8])]);
+    let at = |names: [usize; 3], data: [usize; 3]| three.clone().laid_out(&names, &data, 128).bytes();
+    let overlaps = [
+        ("data-of-values", at([60, 65, 71], [80, 95, 112]), "the data of `times` and of `values`"),
+        ("row-of-values", at([60, 65, 71], [80, 88, 112]), "a row of `times` and one of `values`"),
+        ("data-of-senders", at([60, 65, 71], [80, 96, 111]), "the data of `values` and of `senders`"),
+        ("row-of-senders", at([60, 65, 71], [80, 96, 104]), "a row of `values` and one of `senders`"),
+        ("data-and-name", at([60, 65, 71], [77, 96, 112]), "the name `senders` and the data of `times`"),
+    ];
+    cases.extend(overlaps.into_iter().map(|(what, bytes, says)| {
+        unpack(format!("refused/overlap/{what}"), &["NCP-BULK-012"], &bytes)
+            .rejects("block")
+            .title(format!("A block of the usual three columns in which {says} share bytes is not unpacked."))
+            .flags(&["L01", "overlapping-regions"])
+            .because("What is no block holds no observation.")
+    }));
     cases.extend(broken.into_iter().map(|(what, bytes, rule, says)| {
         unpack(format!("refused/{what}"), &[rule], &bytes)
             .rejects("block")

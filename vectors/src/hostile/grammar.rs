@@ -41,35 +41,49 @@ fn long_strings() -> Vec<Case> {
         ("escape-hex", r"\x41", "the escape `\\x`"),
         ("escape-three-digits", r"\u041", "an escape of three digits"),
     ];
-    let of = |kind: &str, place: &str, behind: usize, (what, bad, says): (&str, &str, &str)| {
+    let of = |kind: &str, place: &str, [behind, after]: [usize; 2], (what, bad, says): (&str, &str, &str)| {
         let frame = minimal(kind).text();
         let open = frame.strip_suffix('}').unwrap_or(&frame);
-        let (before, after, says_where) = match place {
-            "name" => (format!("{open},\""), "x\":1}", "a member's name with"),
-            "channel" => (format!("{open},\"channels\":{{\""), "x\":{}}}", "a channel's name with"),
-            "frame_id" => (format!("{open},\"frame_id\":\""), "x\"}", "a `frame_id` with"),
-            _ => (format!("{open},\"novel\":\""), "x\"}", "a string with"),
+        let (before, end, says_where) = match place {
+            "name" => (format!("{open},\""), "\":1}", "a member's name with"),
+            "channel" => (format!("{open},\"channels\":{{\""), "\":{}}}", "a channel's name with"),
+            "frame_id" => (format!("{open},\"frame_id\":\""), "\"}", "a `frame_id` with"),
+            _ => (format!("{open},\"novel\":\""), "\"}", "a string with"),
         };
         let path = if place == "novel" { "string".to_owned() } else { format!("string/{place}") };
-        Case::new(format!("{kind}/{path}/{what}-behind-{behind}"), &["NCP-WIRE-002"], readers(kind))
-            .title(format!("{} with {says_where} {says} behind {behind} letters is rejected.", a(kind)))
+        let (path, letters) = match after {
+            1 => (format!("{path}/{what}-behind-{behind}"), format!("behind {behind} letters")),
+            _ => (format!("{path}/{what}-amid-{}", behind + after), format!("amid {} letters", behind + after)),
+        };
+        let text = [before.into(), Text::repeat("x", behind)].into_iter();
+        let text: Vec<Text> = match after {
+            1 => text.chain([format!("{bad}x{end}").into()]).collect(),
+            _ => text.chain([bad.into(), Text::repeat("x", after), end.into()]).collect(),
+        };
+        Case::new(format!("{kind}/{path}"), &["NCP-WIRE-002"], readers(kind))
+            .title(format!("{} with {says_where} {says} {letters} is rejected.", a(kind)))
             .flags(&["lenient-strings"])
-            .decode(kind, Text::concat([before.into(), Text::repeat("x", behind), format!("{bad}{after}").into()]))
+            .decode(kind, Text::concat(text))
             .rejects("malformed")
             .because("What a string may hold does not depend on how long it is.")
     };
     let mut cases = Vec::new();
-    cases.extend(WHOLE.map(|bad| of("close_session", "novel", 100, bad)));
+    cases.extend(WHOLE.map(|bad| of("close_session", "novel", [100, 1], bad)));
     for kind in CARRIERS {
-        cases.push(of(kind, "name", 100, WHOLE[0]));
+        cases.push(of(kind, "name", [100, 1], WHOLE[0]));
     }
     for behind in [16, 32, 64, 256, 70_000] {
-        cases.push(of("close_session", "novel", behind, WHOLE[0]));
+        cases.push(of("close_session", "novel", [behind, 1], WHOLE[0]));
     }
     for kind in ["sensor_frame", "command_frame"] {
         for place in ["frame_id", "channel"] {
-            cases.push(of(kind, place, 100, WHOLE[0]));
+            cases.push(of(kind, place, [100, 1], WHOLE[0]));
         }
+    }
+    // In a piece of many characters that is neither the first nor the last of its string.
+    cases.extend(WHOLE.map(|bad| of("close_session", "novel", [300, 300], bad)));
+    for (kind, place) in [("sensor_frame", "frame_id"), ("command_frame", "channel"), ("close_session", "name")] {
+        cases.extend([0, 1, 4].map(|bad| of(kind, place, [300, 300], WHOLE[bad])));
     }
     cases
 }

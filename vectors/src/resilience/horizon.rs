@@ -291,23 +291,38 @@ fn channels_of_a_tick() -> Vec<Case> {
             vec![vec![channel("tow", &[2.0, -2.0], None)], vec![channel("tow", &[3.0], Some("kN"))]],
         ),
     ];
-    table
-        .into_iter()
-        .map(|(name, words, now, horizon)| {
-            let ticks = std::iter::once(&now).chain(&horizon);
-            // To the channel: one more would move the plant.
-            let of_tick = |tick: &Vec<Channel>| object! { "channels" => exactly(channels_json(tick)) };
-            let shown: Vec<Json> = std::iter::once(no_result()).chain(ticks.map(of_tick)).collect();
-            let command = Command { channels: now, horizon, dt: Some(125.0), ..active(1).ttl(1000.0) };
-            let events: Vec<Event> =
-                std::iter::once(Event::Command(command, 2.0)).chain([2.0, 2.125, 2.25].map(Event::Ask)).collect();
-            case(format!("channels/{name}"), &["NCP-RES-028"], &events)
-                .shows(steps(shown))
-                .title(format!("A plant replays a horizon with {words}."))
-                .flags(&["wrong-tick"])
-                .because("`active` is the channels of the tick whose time it is, and takes none from another tick.")
-        })
-        .collect()
+    // What another command has in the same ticks: more channels, other units, more components.
+    let wide = || vec![v(9.0), grip(9.0), channel("tow", &[9.0, 8.0, 7.0], Some("kN")), channel("arm", &[9.0], None)];
+    let another = |seq: i64| Command {
+        channels: wide(),
+        horizon: vec![wide(), wide(), wide()],
+        dt: Some(125.0),
+        ..active(seq).ttl(1000.0)
+    };
+    let ways = [
+        ("", "", None, None),
+        ("/behind-another", " behind one of other channels", Some(1), None),
+        ("/before-a-stale-one", " before an older one of other channels", None, Some(1)),
+    ];
+    let case_of = |(name, words, now, horizon): &(&str, &str, Vec<Channel>, Vec<Vec<Channel>>), way| {
+        let (path, how, before, behind): (&str, &str, Option<i64>, Option<i64>) = way;
+        // To the channel: one more would move the plant.
+        let of_tick = |tick: &Vec<Channel>| object! { "channels" => exactly(channels_json(tick)) };
+        let seq = if path.is_empty() { 1 } else { 2 };
+        let command =
+            Command { channels: now.clone(), horizon: horizon.clone(), dt: Some(125.0), ..active(seq).ttl(1000.0) };
+        let commands = [before.map(another), Some(command), behind.map(another)].into_iter().flatten();
+        let mut events: Vec<Event> = commands.map(|command| Event::Command(command, 2.0)).collect();
+        let mut shown = vec![no_result(); events.len()];
+        events.extend([2.0, 2.125, 2.25].map(Event::Ask));
+        shown.extend(std::iter::once(now).chain(horizon).map(of_tick));
+        case(format!("channels/{name}{path}"), &["NCP-RES-028"], &events)
+            .shows(steps(shown))
+            .title(format!("A plant replays a horizon with {words}{how}."))
+            .flags(&["wrong-tick"])
+            .because("`active` is the channels of the tick whose time it is, and takes none from another tick.")
+    };
+    ways.into_iter().flat_map(|way| table.iter().map(move |row| case_of(row, way))).collect()
 }
 
 fn lengths_of_a_tick() -> Vec<Case> {

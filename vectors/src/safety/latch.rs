@@ -10,7 +10,7 @@ use crate::trace::steps;
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = sequences();
     let mut text = Scenarios::read(source!("safety/latch"))?;
-    for group in ["config", "hold", "again", "perhaps", "one-reset", "resets", "resets-behind", "pauses"] {
+    for group in ["config", "hold", "again", "perhaps", "one-reset", "resets", "resets-behind", "pauses", "inwards"] {
         cases.extend(text.cases(group, row_case)?);
     }
     cases.extend(text.rest(repeated)?);

@@ -12,6 +12,7 @@ use crate::trace::{anything, nums};
 pub(super) fn cases() -> Vec<Case> {
     let mut cases = one_kind();
     cases.push(opened_and_closed());
+    cases.push(closed_among_others());
     cases.push(idle());
     cases.extend(rounds());
     cases.push(driven_and_closed());
@@ -96,6 +97,24 @@ fn opened_and_closed() -> Case {
         .title(format!("A session that was opened and closed {MANY} times is opened as on the first."))
         .flags(&["session-lifecycle"])
         .because("A session that is closed leaves nothing behind: its room and its id are free again.")
+}
+
+/// A session that is closed, and asked all the same, whenever its place may have gone to another.
+fn closed_among_others() -> Case {
+    const MANY: usize = 1_100;
+    let round = [
+        (Open::lif("b").text(), opened("b")),
+        (step_of("a", Some(1.0), None), error()),
+        (step_of("b", Some(1.0), None), observed("b", 1.0)),
+        (close("b"), closed("b")),
+    ];
+    let mut trace = vec![open("a"), (close("a"), closed("a"))];
+    trace.extend(std::iter::repeat_n(round, MANY).flatten());
+    trace.extend([open("a"), steps("a", 10.0)]);
+    super::reference("endures/closed-among-others".to_owned(), &["NCP-SESS-026", "NCP-SESS-035"], trace)
+        .title(format!("A session that is closed stays closed, whatever is opened behind it, {MANY} times."))
+        .flags(&["session-lifecycle"])
+        .because("A `close_session` ends a session; what is opened afterwards is another.")
 }
 
 /// A name, the rules, what happens in a round, its requests with their replies, and by how much it advances the

@@ -20,6 +20,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = unknown_values();
     cases.extend(unknown_everywhere());
     cases.extend(unknown_names());
+    cases.extend(names_like_fields());
     cases.extend(other_case_alone());
     cases.extend(unknown_overflow());
     cases.extend(text.cases("repeated", repeated)?);
@@ -183,6 +184,48 @@ fn unknown_names() -> Vec<Case> {
         .because("`__proto__` is a member like any other unknown one, and the frame has no mode."),
     );
     cases
+}
+
+/// All names of a message's fields in the ways in which a careless reader takes another name for them.
+fn names_like_fields() -> Vec<Case> {
+    let places = Place::frames().chain(Place::nested()).filter(|place| !place.is_twin());
+    places
+        .map(|place| {
+            let mut message = place.alone(Ground::Explicit);
+            for field in &place.message.fields {
+                for name in like_a_field(&field.name) {
+                    message = message.and(&name, Json::Array(vec![Json::Bool(true)]));
+                }
+            }
+            let frame = place.frame(Ground::Explicit, message);
+            let (path, rules, whose): (_, &[_], _) = match place.is_nested() {
+                true => (place.label(), &["NCP-WIRE-026", "NCP-WIRE-050"], format!(" whose `{}`", place.member(""))),
+                false => (format!("{}/", place.kind), &["NCP-WIRE-026"], String::new()),
+            };
+            let path = format!("{path}names-like-fields");
+            Case::new(path, rules, readers(place.kind))
+                .flags(&["case-folded-names"])
+                .decode(place.kind, frame.text())
+                .means(place.meaning(&frame))
+                .title(format!(
+                    "{}{whose} has unknown members whose names are like those of its fields is read as one without \
+                     them.",
+                    a(place.kind)
+                ))
+                .because("A receiver ignores a member that the tables do not list, and a name is just its characters.")
+        })
+        .collect()
+}
+
+/// Names that are no field's, and like this one when case is folded, form or width changed, or what is not seen dropped.
+fn like_a_field(name: &str) -> Vec<String> {
+    let folded = [('s', '\u{17f}'), ('k', '\u{212a}'), ('i', '\u{131}'), ('_', '-'), ('_', ' '), ('_', '\u{ff3f}')];
+    let folded = folded.iter().map(|(from, to)| name.replace(*from, &to.to_string())).filter(|like| like != name);
+    let mut letters = name.chars();
+    let first = letters.next().and_then(|first| char::from_u32(u32::from(first) + 0xfee0));
+    let wide = first.map(|first| format!("{first}{}", letters.as_str()));
+    let around = ["%\0", "%\u{301}", "%\u{200b}", "\u{feff}%", "%\u{ad}", "%\n", "$%", "@%", "%.", "%[]", "\"%\""];
+    folded.chain(wide).chain(around.map(|like| like.replace('%', name))).collect()
 }
 
 /// Every name in capitals, where the name itself is not there to win over it.

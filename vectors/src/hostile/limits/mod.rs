@@ -1,5 +1,6 @@
 //! Frames at the limits of section 1.6, and one beyond.
 
+mod borders;
 mod counts;
 mod depths;
 mod sizes;
@@ -18,6 +19,6 @@ const ENTRIES: usize = 4096;
 
 pub(super) fn file() -> File {
     let about = "Frames at a limit, which are read, and frames beyond it, which are rejected.";
-    let cases = [sizes::cases(), depths::cases(), counts::cases(), strings::cases()].concat();
+    let cases = [sizes::cases(), depths::cases(), counts::cases(), strings::cases(), borders::cases()].concat();
     File::new("hostile", "limits", about, cases)
 }

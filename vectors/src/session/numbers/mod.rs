@@ -57,6 +57,8 @@ pub(super) fn file() -> File {
     cases.extend(ports::own_neurons());
     cases.extend(ports::joined_names());
     cases.extend(ports::many_cadences());
+    cases.extend(ports::many_by_turns());
+    cases.extend(stimuli::apart_then_alike());
     cases.extend(neurons::tiny());
     cases.extend(time::short_steps());
     cases.extend(sessions::one_name_both_ways());

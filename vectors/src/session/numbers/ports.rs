@@ -1,10 +1,11 @@
 //! What the ports of a reference network give: which neurons, at which times, in which order and unit.
 
+use super::neurons::next_rate;
 use super::{driven_step, recorded_at, samples, sent, simulate};
 use crate::case::Case;
 use crate::json::{Json, object};
 use crate::session::{Open, close, observed, opened, record, recorded, reference, run, step, stimulus};
-use crate::trace::nums;
+use crate::trace::{anything, nums};
 
 /// A port that is recorded and one that is a stimulus, under one name, and names of something else.
 pub(super) fn shared_names() -> Vec<Case> {
@@ -120,6 +121,31 @@ pub(super) fn many_ports() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Many ports that are given their values one by one, each in a request of its own, in which the others keep theirs.
+pub(super) fn many_by_turns() -> [Case; 2] {
+    [70, 260].map(|count: u16| {
+        let name = |nth: u16| format!("p{nth}");
+        let open = Open {
+            params: vec![("mu", 0.0)],
+            records: vec![record("out", "rate", 1.0)],
+            stimuli: (1..=count).map(|nth| stimulus(&name(nth), "rate_inject")).collect(),
+            ..Open::rate("a")
+        };
+        let (mut rate, mut input) = (0.0, 0.0);
+        let mut trace = vec![(open.text(), opened("a"))];
+        for nth in 1..=count {
+            input += f64::from(nth);
+            next_rate(&mut rate, (-0.1_f64).exp(), input);
+            let last = || object! { "out" => samples(&[f64::from(nth)], Some(&[rate])) };
+            let reply = if nth == count { recorded("a", last()) } else { anything() };
+            trace.push((step("a", Some(1.0), Some((&name(nth), f64::from(nth)))), reply));
+        }
+        reference(format!("port/many/{count}-by-turns"), &["NCP-SESS-054", "NCP-SESS-055"], trace)
+            .title(format!("Each of {count} ports keeps the value that it was given while the others get theirs."))
+            .because("A stimulus stays until another value for its port comes.")
+    })
 }
 
 /// Many ports that are sampled at two cadences, so that each differs from those that a word of bits takes it for.

@@ -64,6 +64,36 @@ fn currents() -> Vec<Case> {
     cases
 }
 
+/// Neurons that different currents set apart, and that then get one and the same: each goes on from where it is.
+pub(super) fn apart_then_alike() -> [Case; 3] {
+    [3, 70, 300].map(|size: u32| {
+        let ids = |ids: &[u32]| ids.iter().copied().collect::<Json>();
+        let open = Open {
+            size,
+            records: vec![record("v", "V_m", 5.0).with("ids", ids(&[1, 2, size]))],
+            stimuli: [("first", 1), ("last", size)]
+                .map(|(port, id)| stimulus(port, "current_pA").with("ids", ids(&[id])))
+                .into(),
+            ..Open::lif("a")
+        };
+        let mut neurons = [Lif::new(&[], 1.0), Lif::new(&[], 1.0), Lif::new(&[], 1.0)];
+        let mut trace = vec![(open.text(), opened("a"))];
+        for (chunk, [first, last]) in (1..).zip([[300.0, -100.0], [0.0, 0.0], [0.0, 200.0], [200.0, 200.0], [0.0, 0.0]])
+        {
+            for _ in 0..5 {
+                neurons.iter_mut().zip([first, 0.0, last]).for_each(|(neuron, current)| _ = neuron.step(current));
+            }
+            let times = [5.0 * f64::from(chunk); 3];
+            let potentials: Vec<f64> = neurons.iter().map(|neuron| neuron.v).collect();
+            let observed = recorded("a", object! { "v" => samples(&times, Some(&potentials)) });
+            trace.push((driven_step("a", 5.0, &[("first", first), ("last", last)]), observed));
+        }
+        reference(format!("stimulus/apart-then-alike/of-{size}"), &["NCP-SESS-050", "NCP-SESS-055"], trace)
+            .title(format!("Of {size} neurons that currents set apart, each goes on from where it is."))
+            .because(WHY)
+    })
+}
+
 /// A request of a quarter of a step runs none, and its value stays.
 fn current_of_no_step() -> Case {
     let open =
