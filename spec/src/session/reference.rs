@@ -98,8 +98,8 @@ impl Record {
         self.target.observable == Observable::Spikes
     }
 
-    /// The samples of `steps` steps behind `before` others; of spikes the most, in a network whose neurons rest for `rest`
-    /// steps after one.
+    /// The samples of `steps` steps behind `before` others; of spikes the most, in a network whose neurons rest for
+    /// `rest` steps after one.
     #[expect(clippy::cast_precision_loss)] // steps stay far below 2^53, and a cadence beyond gives no sample
     fn most_samples(&self, before: f64, steps: f64, rest: f64) -> f64 {
         let times = if self.is_of_spikes() {

@@ -197,8 +197,8 @@ fn round_trips() -> Vec<Case> {
         (
             "names-of-120005-bytes",
             named([Text::repeat("x", 40_000), Text::repeat("y", 40_001), Text::repeat("z", 40_003), "a".into()]),
-            "Four columns of which the names of three have 120,004 bytes together are written as a block that holds just \
-             them.",
+            "Four columns of which the names of three have 120,004 bytes together are written as a block that holds \
+             just them.",
             "The length of each name has 16 bits, and where it begins has 32.",
         ),
     ];

@@ -9,6 +9,7 @@ pub(super) fn file() -> File {
     let mut cases = shared();
     cases.extend(among_many());
     cases.extend(names_within_data());
+    cases.extend(names_within_data_of_many());
     cases.extend(among_hundreds());
     cases.extend(amplified());
     cases.extend(apart());
@@ -185,6 +186,31 @@ fn names_within_data() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// A name that lies within the data of a column, both of which stand among many.
+fn names_within_data_of_many() -> Vec<Case> {
+    let one = |(count, name, data): (usize, usize, usize)| {
+        let column = |nth: usize| {
+            // Letters that are no other name.
+            let value = if nth == data { f32::from_le_bytes(*b"!?#=") } else { 1.5 };
+            f32s(&short_name(nth), [value])
+        };
+        let block = Block::new((0..count).map(column).collect::<Vec<_>>());
+        let mut names = block.names.clone();
+        names[name] = block.data[data] + 1;
+        let bytes = block.clone().laid_out(&names, &block.data, block.len).bytes();
+        rejected(format!("name-within-data/of-{count}-columns/{name}-in-{data}"), &["NCP-BULK-012"], &bytes)
+            .title(format!(
+                "A block of {count} columns in which the name of number {name} lies within the data of number {data} is \
+                 rejected."
+            ))
+            .flags(&["L01", "overlapping-regions"])
+            .because("No two regions may share a byte, whichever columns they are of.")
+    };
+    let table =
+        [(17, 2, 9), (33, 32, 0), (33, 1, 20), (40, 5, 5), (65, 64, 63), (65, 0, 64), (300, 1, 298), (300, 299, 8)];
+    table.map(one).into()
 }
 
 /// Only two of hundreds of columns share bytes. The others have no rows, so that most of the block are its names.

@@ -13,6 +13,7 @@ pub(super) fn cases() -> Vec<Case> {
     let mut cases = one_kind();
     cases.push(opened_and_closed());
     cases.push(closed_among_others());
+    cases.push(within_another());
     cases.push(idle());
     cases.extend(rounds());
     cases.push(driven_and_closed());
@@ -115,6 +116,35 @@ fn closed_among_others() -> Case {
         .title(format!("A session that is closed stays closed, whatever is opened behind it, {MANY} times."))
         .flags(&["session-lifecycle"])
         .because("A `close_session` ends a session; what is opened afterwards is another.")
+}
+
+/// Requests that have a member to be ignored before all others, in which they would be another's.
+fn within_another() -> Case {
+    let of = |id: &str, request: &str| {
+        let other = object! { "kind" => "close_session", "session_id" => id, "ncp_version" => "9.9",
+        "advance_ms" => 7, "duration_ms" => 9, "network" => object! { "ref" => "ncp.no.such.network" } };
+        Json::read(request)
+            .members()
+            .iter()
+            .fold(object! { "novel" => other }, |frame, (name, value)| frame.and(name, value.clone()))
+    };
+    let trace = vec![
+        (of("b", &Open::lif("a").text()).text(), opened("a")),
+        open("b"),
+        (of("b", &step_of("a", Some(5.0), None)).text(), observed("a", 5.0)),
+        (of("none", &run("a", 2.0)).text(), observed("a", 7.0)),
+        (of("a", &run("b", 3.0)).text(), observed("b", 3.0)),
+        (of("b", &close("a")).text(), closed("a")),
+        (of("b", &step_of("a", Some(5.0), None)).text(), error()),
+        (step_of("b", Some(1.0), None), observed("b", 4.0)),
+    ];
+    super::reference("life/within-another".to_owned(), &["NCP-SESS-027", "NCP-SESS-035"], trace)
+        .by("/replies/5", "NCP-SESS-028")
+        .by("/replies/6", "NCP-SESS-028")
+        .by("/replies/7", "NCP-SESS-035")
+        .title("A request is of the session that it names itself, whatever a member says that is to be ignored.")
+        .flags(&["session-lifecycle"])
+        .because("A receiver ignores a member that the tables do not list, and what stands in it is no field.")
 }
 
 /// A name, the rules, what happens in a round, its requests with their replies, and by how much it advances the

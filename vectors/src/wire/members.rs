@@ -21,6 +21,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(unknown_everywhere());
     cases.extend(unknown_names());
     cases.extend(names_like_fields());
+    cases.extend(fields_of_another());
     cases.extend(other_case_alone());
     cases.extend(unknown_overflow());
     cases.extend(text.cases("repeated", repeated)?);
@@ -217,7 +218,37 @@ fn names_like_fields() -> Vec<Case> {
         .collect()
 }
 
-/// Names that are no field's, and like this one when case is folded, form or width changed, or what is not seen dropped.
+/// An unknown member before and behind all others, in which every field has another value: who looks for a name in the
+/// bytes finds the wrong one.
+fn fields_of_another() -> Vec<Case> {
+    let case = |(kind, is_first): (&'static str, bool)| {
+        let other = full_message_of(kind).with("kind", "close_session".into());
+        let other = if other.get("session_id").is_some() { other.with("session_id", "other".into()) } else { other };
+        let frame = match is_first {
+            true => explicit(kind)
+                .members()
+                .iter()
+                .fold(object! { "novel" => other }, |frame, (name, value)| frame.and(name, value.clone())),
+            false => explicit(kind).and("novel", other),
+        };
+        let place = if is_first { "first" } else { "last" };
+        ignored(&format!("fields-of-another/{place}"), kind, &frame).title(format!(
+            "{} with an unknown member, the {place} of all, that has each of its fields is read as one without it.",
+            a(kind)
+        ))
+    };
+    Place::frames().map(|place| place.kind).flat_map(|kind| [true, false].map(|first| case((kind, first)))).collect()
+}
+
+/// All fields of a kind, each with a value that is not its default.
+fn full_message_of(kind: &str) -> Json {
+    Place::frames()
+        .find(|place| place.kind == kind)
+        .map_or(Json::Null, |place| model::full_message(&place.message.name))
+}
+
+/// Names that are no field's, and like this one when case is folded, form or width changed, or what is not seen
+/// dropped.
 fn like_a_field(name: &str) -> Vec<String> {
     let folded = [('s', '\u{17f}'), ('k', '\u{212a}'), ('i', '\u{131}'), ('_', '-'), ('_', ' '), ('_', '\u{ff3f}')];
     let folded = folded.iter().map(|(from, to)| name.replace(*from, &to.to_string())).filter(|like| like != name);
