@@ -118,7 +118,7 @@ class ReferenceSimulation implements Simulation {
     const steps = stepsOf(forMs, this.#dtMs); // [NCP-SESS-058]
     if (!(steps * Math.max(this.#size, 1) <= WORK)) throw new SessionError(`${forMs} ms is too long for one request`);
     let samples = 0;
-    for (const record of this.#records) samples += record.mostSamples(steps);
+    for (const record of this.#records) samples += record.mostSamples(this.#step, steps);
     if (!(samples <= SAMPLES)) throw new SessionError(`${forMs} ms gives too many samples for one reply`);
     // [NCP-SESS-057]
     if (!Number.isFinite((this.#step + steps) * this.#dtMs)) throw new SessionError("the time leaves the doubles");
@@ -207,11 +207,14 @@ class RecordPort {
     this.#every = Math.max(stepsOf(cadence_ms, dtMs), 1);
   }
 
-  /** The samples that so many steps give at most. */
-  mostSamples(steps: number): number {
-    const { recordable } = this.#quantity;
-    const every = recordable === null ? this.#neurons.stepsBetweenSpikes : this.#every;
-    return (1 + Math.floor(steps / every)) * this.#indices.length;
+  /** The samples that so many steps give behind those before them; of spikes the most. */
+  mostSamples(before: number, steps: number): number {
+    const reached = (step: number): number => Math.floor(step / this.#every);
+    const times =
+      this.#quantity.recordable === null
+        ? Math.min(steps, 1 + Math.floor(steps / this.#neurons.stepsBetweenSpikes))
+        : reached(before + steps) - reached(before);
+    return times * this.#indices.length;
   }
 
   /** Samples the end of a step, if it is due. */

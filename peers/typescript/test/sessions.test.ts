@@ -326,6 +326,20 @@ test("a request that fails costs that request only", () => {
 
 // --- the service ---------------------------------------------------------------------------------
 
+test("as many samples as a server bears are counted by the cadence since the session opened", () => {
+  const bench = new Bench();
+  const targets = Array.from({ length: 12 }, (_, nth) => ({ port: `p${nth}`, target: "pop", observable: "V_m" }));
+  const slow = targets.map((target) => ({ ...target, cadence_ms: 10 }));
+  bench.open(LIF, { record: { targets: slow }, sim: { dt_ms: 1 } } as Partial<Open>, {}, 100_000);
+  assert.equal(bench.run(9).sim_time_ms, 9);
+  // Each of the twelve has a sample of each neuron in the next step.
+  assert.throws(() => bench.run(1), /samples/);
+  const spiking = targets.map((target) => ({ ...target, observable: "spikes" }));
+  const other = new Bench();
+  other.open(LIF, { record: { targets: spiking }, sim: { dt_ms: 1 } } as Partial<Open>, {}, 100_000);
+  assert.equal(other.run(0).sim_time_ms, 0);
+});
+
 test("every request has one reply, whatever its bytes", () => {
   const bench = new Bench();
   const ids = ["a", "b", "c"];

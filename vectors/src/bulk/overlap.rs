@@ -202,8 +202,8 @@ fn names_within_data_of_many() -> Vec<Case> {
         let bytes = block.clone().laid_out(&names, &block.data, block.len).bytes();
         rejected(format!("name-within-data/of-{count}-columns/{name}-in-{data}"), &["NCP-BULK-012"], &bytes)
             .title(format!(
-                "A block of {count} columns in which the name of number {name} lies within the data of number {data} is \
-                 rejected."
+                "A block of {count} columns in which the name of number {name} lies within the data of number {data} \
+                 is rejected."
             ))
             .flags(&["L01", "overlapping-regions"])
             .because("No two regions may share a byte, whichever columns they are of.")
