@@ -37,6 +37,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(misfits());
     cases.extend(versions_beside());
     cases.extend(long_requests());
+    cases.extend(behind_long_members());
     cases.extend(requests_beyond());
     cases.extend(times());
     cases.extend(malformed_times());
@@ -457,6 +458,42 @@ fn with_long(trace: &[(String, Json)], short: &str, long: &Text) -> Json {
     let requests =
         trace.iter().map(|(request, _)| if request == short { long.json() } else { request.as_str().into() });
     object! { "requests" => requests.collect::<Json>() }
+}
+
+/// Requests of which all that is known stands behind an ignored member as long as a head, a buffer or a frame.
+fn behind_long_members() -> Vec<Case> {
+    const SIZES: [(&str, usize); 3] = [("5000", 5_000), ("70000", 70_000), ("1-mib", 1 << 20)];
+    let mut cases = Vec::new();
+    for (size, bytes) in SIZES {
+        // Opened once by a plain request, so that a server that offers the network is told from one that does not.
+        let end = || (close("a"), closed("a"));
+        let opened_late = Open { chunk: 5.0, ..Open::lif("a") }.text();
+        let trace = vec![open("a"), end(), (opened_late.clone(), opened("a")), steps("a", 5.0)];
+        let life = vec![open("a"), steps("a", 10.0), (run("a", 10.0), observed("a", 20.0)), end()];
+        let table = [
+            ("open_session", opened_late, &trace),
+            ("step_request", life[1].0.clone(), &life),
+            ("run_request", life[2].0.clone(), &life),
+            ("close_session", life[3].0.clone(), &life),
+        ];
+        for (kind, short, trace) in table {
+            let known = short.trim_start_matches('{');
+            let before = r#"{"pad":""#;
+            let behind = format!(r#"",{known}"#);
+            let pad = Text::repeat("x", bytes - before.len() - behind.len());
+            let long = Text::concat([before.into(), pad, behind.into()]);
+            let args = with_long(trace, &short, &long);
+            cases.push(
+                case(format!("behind/{kind}/{size}"), &["NCP-WIRE-034", "NCP-SESS-027"], trace.to_vec())
+                    .call("session.run", args)
+                    .title(format!(
+                        "The fields of a `{kind}` are read behind an ignored member, in a frame of {bytes} bytes."
+                    ))
+                    .because("The members of an object stand in any order, and an unknown one is ignored."),
+            );
+        }
+    }
+    cases
 }
 
 /// Requests of more bytes than a frame may have, in one of fewer characters: they close nothing.

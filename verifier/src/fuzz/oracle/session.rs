@@ -125,7 +125,7 @@ fn judge(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'_>>, has_
             open.insert(id.clone(), session);
         }
         let level = match (open.get_mut(&id), &asked) {
-            (Some(session), Some(asked)) if kind == "observation_frame" => session.level_of(asked),
+            (Some(session), Some(asked)) if kind == "observation_frame" => session.take(asked),
             _ => 0.0,
         };
         // Which of the two is a server's own affair, and leaves everything as it was.
@@ -303,8 +303,9 @@ struct Session {
     dt: f64,
     chunk: f64,
     neurons: f64,
-    /// How many samples a step gives at most, over all ports.
-    samples: f64,
+    /// The steps since the opening.
+    steps: f64,
+    records: Vec<Sampled>,
     ports: Vec<String>,
     /// The magnitude of the potential at rest, in mV.
     rest: f64,
@@ -315,6 +316,12 @@ struct Session {
     /// The magnitude of the current or input of each port, in pA or Hz.
     driven: HashMap<String, f64>,
     is_lif: bool,
+}
+
+/// What a port samples: so many neurons, every so many steps; spikes are counted as if all came.
+struct Sampled {
+    neurons: f64,
+    every: f64,
 }
 
 impl Session {
@@ -398,18 +405,19 @@ impl Session {
             (1e-3..1e12).contains(&param("tau", 10.0))
         };
         let ports = targets("stimulus").iter().map(|t| string(t, "port").unwrap_or_default().to_owned());
-        let sampled = targets("record").iter().map(|target| {
+        let records = targets("record").iter().map(|target| {
             let named = items(target.get("ids")).len() as f64;
             let all = string(target, "target").and_then(size).unwrap_or(0) as f64;
             let is_of_spikes = string(target, "observable") == Some("spikes");
-            let every = (double(target.get("cadence_ms")).unwrap_or(1.0) / dt).floor().max(1.0);
-            (if named > 0.0 { named } else { all }) / if is_of_spikes { 1.0 } else { every }
+            let every = (double(target.get("cadence_ms")).unwrap_or(1.0) / dt).round().max(1.0);
+            Sampled { neurons: if named > 0.0 { named } else { all }, every: if is_of_spikes { 1.0 } else { every } }
         });
         (plain && sane).then(|| Self {
             dt,
             chunk,
             neurons: sizes.iter().filter_map(|(_, size)| integer(Some(size))).sum::<i64>() as f64,
-            samples: sampled.sum(),
+            steps: 0.0,
+            records: records.collect(),
             ports: ports.collect(),
             rest: if is_lif { param("E_L", -70.0).abs() } else { 0.0 },
             gain: if is_lif {
@@ -424,8 +432,10 @@ impl Session {
         })
     }
 
-    /// The greatest of the terms that the samples of a step or a run do not show; its stimuli act from now on.
-    fn level_of(&mut self, asked: &Tree) -> f64 {
+    /// Takes a step or a run: its time passes, and its stimuli act from now on. The greatest of the terms that its
+    /// samples do not show.
+    fn take(&mut self, asked: &Tree) -> f64 {
+        self.steps += self.steps_of(asked);
         for (port, value) in members(asked.get("stimulus").and_then(|stimulus| stimulus.get("values"))) {
             if let Some(value) = double(items(value.get("data")).first()) {
                 self.driven.insert(port.to_string(), value.abs());
@@ -445,6 +455,11 @@ impl Session {
         ["advance_ms", "duration_ms"].into_iter().find_map(named).unwrap_or(self.chunk)
     }
 
+    /// The steps of a step or a run of this session: its time is the nearest number of them. `// [NCP-SESS-058]`
+    fn steps_of(&self, asked: &Tree) -> f64 {
+        (self.time_of(asked) / self.dt).round()
+    }
+
     /// What the text leaves open of a step or a run of this session.
     fn openness(&self, asked: &Tree) -> Option<&'static str> {
         let time = self.time_of(asked);
@@ -452,11 +467,13 @@ impl Session {
         if time == 0.0 && !members(values).is_empty() {
             return Some("what a step of 0 ms leaves at a port, if a server refuses it");
         }
-        let steps = time / self.dt + 1.0;
+        let steps = self.steps_of(asked);
+        let due = |at: f64, record: &Sampled| (at / record.every).floor() * record.neurons;
+        let samples = self.records.iter().map(|record| due(self.steps + steps, record) - due(self.steps, record));
         // What is no time is refused, and not for its size.
         let is_large = self.neurons > MOST_NEURONS
             || steps * self.neurons.max(1.0) > MOST_NEURON_STEPS
-            || steps * self.samples > MOST_SAMPLES;
+            || samples.sum::<f64>() > MOST_SAMPLES;
         if is_large && time.is_finite() {
             return Some(TOO_LARGE);
         }
@@ -705,13 +722,16 @@ mod tests {
             );
             Session::read(&own(&Json::parse(&asked).unwrap())).unwrap()
         };
-        let of = |session: &Session, ms: &str| {
-            session.openness(&own(&Json::parse(&format!(r#"{{"advance_ms":{ms}}}"#)).unwrap())).is_some()
-        };
-        assert!(!of(&open(100, "100.0"), "199998.0"));
+        let asked = |ms: &str| own(&Json::parse(&format!(r#"{{"advance_ms":{ms}}}"#)).unwrap());
+        let of = |session: &Session, ms: &str| session.openness(&asked(ms)).is_some();
+        assert!(!of(&open(100, "100.0"), "200000.0"));
         assert!(of(&open(100, "100.0"), "200001.0"), "too many neurons times steps");
-        assert!(!of(&open(100, "1.0"), "9998.0"));
+        assert!(!of(&open(100, "1.0"), "10000.0"));
         assert!(of(&open(100, "1.0"), "10001.0"), "too many samples");
+        let mut session = open(1000, "10.0");
+        assert!(!of(&session, "10009.0"), "what is not due costs nothing");
+        session.take(&asked("5.0"));
+        assert!(!of(&session, "10004.0") && of(&session, "10005.0"), "by the cadence since the opening");
     }
 
     #[test]
@@ -968,10 +988,10 @@ mod tests {
         );
         let mut session = Session::read(&own(&Json::parse(&open).unwrap())).unwrap();
         // 10 ms / 250 pF · (1 − e⁻¹) · 250 pA, below the 70 mV of rest.
-        assert_eq!(session.level_of(&object([])), 70.0);
-        let level = session.level_of(&asked(-24_750.0));
+        assert_eq!(session.take(&object([])), 70.0);
+        let level = session.take(&asked(-24_750.0));
         assert!((level - 1000.0 * (1.0 - (-1_f64).exp())).abs() < 1e-9, "{level}");
-        assert_eq!(session.level_of(&asked(0.0)), 70.0);
+        assert_eq!(session.take(&asked(0.0)), 70.0);
     }
 
     #[test]
