@@ -41,7 +41,10 @@ fn case(path: impl Into<String>, rules: &[&'static str], trace: &Trace) -> Case 
 /// The same of a trace whose steps are about several rules.
 fn latching(path: impl Into<String>, rules: &[&'static str], trace: &Trace) -> Case {
     let case = Case::new(path, rules, &[Role::Commander]).call("governor.run", trace.args());
-    let case = case.decided_by(&trace.rules());
+    let mut case = case.decided_by(&trace.rules());
+    for place in trace.kept() {
+        case = case.by(place, model::PASSES);
+    }
     if trace.has_writable_limits() { case.shows(trace.pattern()) } else { case.shows_or_refuses(trace.pattern()) }
 }
 

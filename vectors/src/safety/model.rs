@@ -3,6 +3,8 @@
 //! It answers what the text demands and, where the text leaves a choice, every answer that it
 //! allows: a governor may look further ahead, and drop more of a horizon than it must.
 
+use std::collections::BTreeSet;
+
 use crate::command::{Channel, Command, M, MPS, POSITION, VELOCITY, channel, channels, channels_json};
 use crate::json::{Json, object};
 use crate::scenario::{self, Place, Row, ScenarioError};
@@ -224,10 +226,9 @@ impl Trace {
 
     /// The trace that the steps of a row say: `limits` with `speed=`, `fence=`, `timeout=` and `tilt=`; `sensors` and
     /// `commands`, the channels that are declared, as `tow:m/s` or, if it is a scalar, `grip:scalar:N`; `govern`,
-    /// which is a
-    /// good command at a good place but for the settings of [`Command::setting`], `at=` for the place or the channels
-    /// that
-    /// are sensed, `sent=`, `now=` and `last=` for times; `link`, `calm` and `reset`. A hyphen is none of it.
+    /// which is a good command at a good place but for the settings of [`Command::setting`], `at=` for the place or
+    /// the channels that are sensed, `sent=`, `now=` and `last=` for times; `link`, `calm` and `reset`. A hyphen is
+    /// none of it.
     pub(super) fn of(row: &Row) -> Result<Self, ScenarioError> {
         let mut trace = Self::new(Limits::NONE, Vec::new());
         for step in row.steps() {
@@ -291,6 +292,27 @@ impl Trace {
         let mut governor = self.governor(Reading::PositionFirst);
         let rule = |step| governor.step(step).map(|_| governor.said);
         self.steps.iter().map(rule).collect()
+    }
+
+    /// The places of channels that a command keeps while a clamp changes others; none where units are negotiated,
+    /// since a clamp may change a channel without one.
+    pub(super) fn kept(&self) -> Vec<String> {
+        let mut places = Vec::new();
+        if self.capabilities.is_some() {
+            return places;
+        }
+        for (nth, (step, rule)) in self.steps.iter().zip(self.rules()).enumerate() {
+            if let (Step::Govern { command, .. }, Some(CLAMPS)) = (step, rule) {
+                let is_other = |channel: &&Channel| channel.unit.as_deref() != Some(MPS) && channel.name != VELOCITY;
+                for channel in command.channels.iter().filter(is_other) {
+                    places.push(format!("/steps/{nth}/frame/channels/{}", channel.name));
+                }
+                let others: BTreeSet<&str> =
+                    command.horizon.iter().flatten().filter(is_other).map(|channel| channel.name.as_str()).collect();
+                places.extend(others.iter().map(|name| format!("/steps/{nth}/frame/horizon/*/{name}")));
+            }
+        }
+        places
     }
 
     /// The pattern of the result.
@@ -609,7 +631,7 @@ impl<'a> Governor<'a> {
         // A velocity or a position that is not 3 wide may be held for, though no limit needs it.
         let odd = wide(&channels, VELOCITY) || sensor.is_some_and(|sensor| wide(&sensor.channels, POSITION));
         let clamps = channels.iter().zip(&command.channels).any(|(after, before)| after.data != before.data);
-        self.said = if clamps { "NCP-SAFE-060" } else { PASSES };
+        self.said = if clamps { CLAMPS } else { PASSES };
         let mut outcomes = match place {
             Some((place, radius)) => {
                 let outcomes = self.project(command, &channels, &horizon, &place, radius);
@@ -752,7 +774,8 @@ impl<'a> Governor<'a> {
 }
 
 /// The rule by which a command passes.
-const PASSES: &str = "NCP-SAFE-021";
+pub(super) const PASSES: &str = "NCP-SAFE-021";
+const CLAMPS: &str = "NCP-SAFE-060";
 /// The rule by which a sensor is too old.
 const STALE: &str = "NCP-SAFE-033";
 /// The rule by which a latch goes on.
