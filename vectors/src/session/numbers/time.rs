@@ -127,7 +127,12 @@ pub(super) fn failures_behind_many_steps() -> Vec<Case> {
 
 /// The time of a session to the last bit: it is one product.
 pub(super) fn exact_times() -> Vec<Case> {
-    let table: [(&str, f64, &[u32]); 2] = [("tenths-one-by-one", 0.1, &[1; 6]), ("many-tenths", 0.1, &[200_000])];
+    let table: [(&str, f64, &[u32]); 3] = [
+        ("tenths-one-by-one", 0.1, &[1; 6]),
+        ("many-tenths", 0.1, &[200_000]),
+        // Behind each of them, the product needs more than single precision.
+        ("many-seven-tenths", 0.7, &[1_001, 20_002, 70_003, 1, 2_000_001]),
+    ];
     table
         .into_iter()
         .map(|(name, dt, requests)| {
