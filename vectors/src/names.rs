@@ -21,8 +21,8 @@ const fn as_name(bytes: &'static [u8]) -> &'static str {
 }
 
 /// Names, each with those that a careless comparison takes for it: without a look at case, form, width, white space,
-/// marks, what is not seen, or the spelling of a number, or by a hash.
-const ALIKE: [(&str, &[&str]); 13] = [
+/// marks, what is not seen, or the spelling of a number, or by a hash of 32 bits.
+const ALIKE: [(&str, &[&str]); 21] = [
     (
         "name-1",
         &[
@@ -68,9 +68,19 @@ const ALIKE: [(&str, &[&str]); 13] = [
     ("\u{3c3}", &["\u{3c2}"]),
     ("\u{10428}", &["\u{10400}", "\u{428}"]),
     ("1", &["01", "1.0", "1e0", "+1", "0x1", "true"]),
+    // By a sum times 31 (of Java), CRC-32, FNV-1a, djb2, djb2 by xor, FNV-1, sdbm, Murmur3, Jenkins' one at a time,
+    // FNV-1a of 64 bits folded, and Adler-32.
     ("Aa", &["BB"]),
     ("plumless", &["buckeroo"]),
     ("costarring", &["liquid"]),
+    ("at", &["c2"]),
+    ("rasoyalo", &["xebaloha"]),
+    ("bayamulo", &["ceyasoraba"]),
+    ("pagumuxe", &["ticezomu"]),
+    ("lodineha", &["haxesoraxe"]),
+    ("dinekidi", &["dinesopa"]),
+    ("didibalo", &["lofoloha"]),
+    ("badixe", &["bafofo"]),
 ];
 
 /// All of those names, and whether each is one that the others behind it are like.

@@ -410,6 +410,33 @@ fn mappings() -> Vec<Case> {
             channels(vec![("x", vec![0.5, 0.5])]),
         ),
         (
+            "one-population-of-other-ranges",
+            "NCP-CODEC-003",
+            "A population of which one mapping cannot tell anything drives the others all the same",
+            vec![
+                mapping("x", 0, "p"),
+                Mapping { rate: [50.0, 50.0], ..mapping("x", 1, "p") },
+                mapping("y", 0, "p"),
+                Mapping { rate: [0.0, 0.0], ..mapping("y", 1, "q") },
+                mapping("y", 2, "q"),
+            ],
+            channels(vec![("x", vec![0.5, 0.0]), ("y", vec![0.5, 0.0, -0.5])]),
+        ),
+        (
+            "ignored-in-a-row",
+            "NCP-CODEC-008",
+            "Mappings of component 4,096 and more are ignored, however many follow each other",
+            vec![
+                mapping("x", 4096, "q"),
+                mapping("x", 4097, "q"),
+                mapping("x", 5000, "q"),
+                mapping("x", 0, "p"),
+                mapping("x", 4096, "p"),
+                mapping("x", 4096, "p"),
+            ],
+            channels(vec![("x", vec![0.5])]),
+        ),
+        (
             "one-component-twice",
             "NCP-CODEC-014",
             "Of two mappings to one component the last should count",

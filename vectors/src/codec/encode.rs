@@ -384,6 +384,14 @@ fn mappings() -> Vec<Case> {
             );
         }
     }
+    let in_a_row = [4096, 4097, 5000].map(|component| Mapping { component, ..PLAIN });
+    let in_a_row = [&in_a_row[..], &[PLAIN], &in_a_row[..]].concat();
+    cases.push(
+        case("ignored/in-a-row".to_owned(), &["NCP-CODEC-008"], codec(&in_a_row, &[]), sensor(&[("x", &[0.5])]))
+            .shows(rates(&[("p", 150.0)]))
+            .title("Mappings of component 4,096 and more are ignored, however many follow each other.")
+            .because("A mapping that is ignored is as if it were not there."),
+    );
     let last = Mapping { component: 4095, ..PLAIN };
     cases.push(
         case("ignored/not-4095".to_owned(), &["NCP-CODEC-005"], codec(&[last], &[]), sensor(&[("x", &[0.0])]))

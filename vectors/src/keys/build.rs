@@ -100,6 +100,18 @@ impl Builder {
                 );
             }
         }
+        // Realms that end as keys do: what follows them follows all the same.
+        let own = self.rest.replacen("{id}", "uav3", 1).replace("/**", "");
+        for (what, realm) in [("as-a-key", own.clone()), ("as-another-key", format!("lab/{own}"))] {
+            cases.push(
+                self.case(&format!("realm-{what}"), &["NCP-KEY-018", self.rule])
+                    .title(format!("The `{}` key in the realm `{realm}` is built as the table says.", self.key))
+                    .flags(&["wrong-key"])
+                    .call("key.build", self.args(Some(&realm), "uav3", None))
+                    .gives(object! { "key" => self.expected(Some(&realm), "uav3", None) })
+                    .because("The row of the key in section 3.2, whatever the segments of the realm are."),
+            );
+        }
         cases
     }
 

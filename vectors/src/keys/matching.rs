@@ -177,6 +177,11 @@ fn large() -> Vec<Large> {
         let chunks: String = ('a'..='t').map(|letter| format!("{before}{letter}/")).collect();
         Text::from(chunks + last)
     };
+    // Ends of one letter, which may not share any of the key's.
+    let chunk_of = |letters: usize| Text::concat(["ncp/".into(), Text::repeat("a", letters)]);
+    let ends = |first: usize, last: usize| {
+        Text::concat(["ncp/".into(), Text::repeat("a", first), "$*".into(), Text::repeat("a", last)])
+    };
     // Letters that differ, with a wildcard between them.
     let letters = |between: &str, last: &str| {
         Text::from(('a'..='t').fold(String::new(), |all, c| all + between + &c.to_string()) + last)
@@ -263,6 +268,12 @@ fn large() -> Vec<Large> {
             false,
             "A pattern of six runs of two letters in a chunk that has a letter less",
         ),
+        row("ends-of-255", run, ends(127, 128), chunk_of(254), false, "A `$*` between ends of 255 characters"),
+        row("ends-of-256", run, ends(128, 128), chunk_of(200), false, "A `$*` between ends of 256 characters"),
+        row("ends-of-256-whole", run, ends(128, 128), chunk_of(256), true, "A `$*` between ends of 256 characters"),
+        row("ends-of-300", run, ends(200, 100), chunk_of(299), false, "A `$*` between ends of 300 characters"),
+        row("ends-of-512", run, ends(256, 256), chunk_of(256), false, "A `$*` between ends of 512 characters"),
+        row("ends-of-65536", run, ends(32_768, 32_768), chunk_of(32_769), false, "A `$*` between ends of 65,536"),
         row("equal-of-300", "NCP-KEY-030", chunk(300, "b"), chunk(300, "b"), true, "An equal chunk of 302 characters"),
         row("last-of-256", "NCP-KEY-030", chunk(254, "b"), chunk(254, "c"), false, "A chunk that differs in its 256th"),
         row("last-of-300", "NCP-KEY-030", chunk(298, "b"), chunk(298, "c"), false, "A chunk that differs in its 300th"),

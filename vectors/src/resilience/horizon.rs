@@ -403,7 +403,7 @@ pub(super) fn lengths() -> File {
         Case::new(path, rules, &[Role::Commander, Role::Body])
             .call("horizon.max_len", object! { "ttl_ms" => num(ttl), "dt_ms" => num(dt) })
     };
-    let exact: [(f64, f64, i64); 29] = [
+    let exact: [(f64, f64, i64); 32] = [
         (1000.0, 100.0, 10),
         (1000.0, 250.0, 4),
         (999.0, 100.0, 9),
@@ -417,6 +417,10 @@ pub(super) fn lengths() -> File {
         (200.0, 20.0, 10),
         (60_000.0, 1000.0, 60),
         (60_000.0, 59_000.0, 1),
+        // A plant enforces a minute of the ttl, and no tick is shorter for it.
+        (60_000.0, 60_001.0, 0),
+        (60_000.0, 120_000.0, 0),
+        (90_000.0, 100_000.0, 0),
         (0.5, 0.125, 4),
         (7.0, 2.0, 3),
         (7.5, 2.5, 3),

@@ -570,6 +570,18 @@ fn parameters() -> Vec<Case> {
             );
         }
     }
+    // 250 misses add up to twice the threshold, 2, of which each delivery takes 0.99.
+    for ref_loss in [0.99, 1.0, 2.0, f64::MAX] {
+        let burst = |burst: bool| object! { "burst" => burst };
+        cases.push(
+            Case::new(format!("ref-loss/{}/deliveries", name_of(ref_loss)), &["NCP-RES-051", "NCP-RES-046"], &BOTH)
+                .call("link.run", args(Some(ref_loss), Some(1.0), &[1, 252, 253, 254]))
+                .shows(steps(vec![no_result(), burst(true), burst(false), burst(false)]))
+                .title(format!("A delivery takes 0.99 off under a reference loss of {}.", name_of(ref_loss)))
+                .flags(&["burst-detector"])
+                .because("`ref_loss` is clamped to 0 \u{2026} 0.99, for what comes as for what is missing."),
+        );
+    }
     // A burst of which only the usual loss, taken off with each delivery, can tell how long it lasts.
     let clearing: Vec<i64> = std::iter::once(1).chain(8..40).collect();
     for ref_loss in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

@@ -353,6 +353,10 @@ fn one_after_another() -> [Case; 3] {
         let gripper = |width: usize, unit| channel("gripper", &vec![1.0; width], unit);
         let commands = [
             vec![gripper(1, Some("N")), velocity(&[1.0, 0.0, 0.0])],
+            // Of the same names and widths, and the other way round of all the same.
+            vec![gripper(1, Some("mm")), velocity(&[1.0, 0.0, 0.0])],
+            vec![gripper(1, None), channel(VELOCITY, &[1.0, 0.0, 0.0], Some("kn"))],
+            vec![channel(VELOCITY, &[1.0, 0.0, 0.0], Some("rad")), gripper(1, Some("N"))],
             vec![gripper(2, Some("mm")), velocity(&[1.0, 0.0, 0.0])],
             vec![velocity(&[1.0, 0.0, 0.0]), gripper(3, None)],
             vec![velocity(&[1.0, 0.0, 0.0])],
@@ -384,9 +388,7 @@ fn one_after_another() -> [Case; 3] {
             .rests_on(format!("safety/gates/nothing/{mode}"))
             .call("governor.run", trace.args())
             .shows(steps(entries))
-            .title(format!(
-                "The {frame} frames of seven commands in mode `{mode}` have each the channels of their own."
-            ))
+            .title(format!("The {frame} frames of ten commands in mode `{mode}` have each the channels of their own."))
             .flags(&["moving-hold"])
             .because(
                 "A frame has the union of its own command's channels and the negotiated ones and no other, and each \

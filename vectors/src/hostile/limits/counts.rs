@@ -16,6 +16,8 @@ pub(super) fn cases() -> Vec<Case> {
     cases.extend(repeated_as_it_grows());
     cases.extend(arrays());
     cases.extend(sums());
+    cases.extend(side_by_side());
+    cases.extend(steps_of_shared_names());
     cases.extend(numeric_arrays());
     cases.extend(equal_numbers());
     cases.extend(small_values());
@@ -141,6 +143,61 @@ fn repeated_as_it_grows() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// Two maps or two arrays of one message, each of which has all that it may have.
+fn side_by_side() -> [Case; 2] {
+    let at_limit = |kind: &str, first: &[&str], second: &[&str], fill: &dyn Fn(&str) -> Text| {
+        let text = set(set(explicit(kind), first, Json::literal("\"~\"")), second, Json::literal("\"~\"")).text();
+        let parts: Vec<&str> = text.split("\"~\"").collect();
+        let [before, between, behind] = parts[..] else { return Text::from(text) };
+        Text::concat([before.into(), fill(MARK), between.into(), fill(MARK), behind.into()])
+    };
+    let names = |mark: &str| entries_of(mark, "1", ENTRIES);
+    let items = |mark: &str| list(mark, r#"{"name":"x"}"#, ENTRIES);
+    let of = |kind: &'static str, name: &str, words: &str, text: Text| {
+        Case::new(format!("{kind}/{name}"), &["NCP-WIRE-068"], readers(kind))
+            .title(format!("{} with 4,096 {words} is read.", a(kind)))
+            .flags(&["low-limits"])
+            .decode(kind, text.clone())
+            .means(text)
+            .because("The limit of 4,096 is one of each map and of each array, and not of what a message has in all.")
+    };
+    let maps = at_limit("open_session", &["network", "population_sizes"], &["network", "params"], &names);
+    let arrays = at_limit("capabilities", &["sensor_channels"], &["command_channels"], &items);
+    [
+        of("open_session", "map/two-at-limit", "entries in each of two maps of its network", maps),
+        of("capabilities", "array/two-at-limit", "items in each of its two arrays", arrays),
+    ]
+}
+
+/// Steps of a horizon whose channels have the names of those of a step before.
+fn steps_of_shared_names() -> [Case; 2] {
+    let kind = "command_frame";
+    let step = |count| entries_of(MARK, "{}", count);
+    let frame = |counts: [usize; 2]| {
+        let text = set(explicit(kind), &["horizon"], Json::literal(MARK)).text();
+        let (before, behind) = text.split_once(MARK).unwrap_or((&text, ""));
+        let [first, second] = counts.map(step);
+        Text::concat([format!("{before}[").into(), first, ",".into(), second, format!("]{behind}").into()])
+    };
+    let of = |name: &str, rule: &'static str| {
+        Case::new(format!("{kind}/map/horizon-of-two-steps-{name}"), &[rule], readers(kind))
+    };
+    [
+        of("beyond-limit", "NCP-WIRE-066")
+            .title("A `command_frame` whose second step has the 4,096 channels of its first and one more is rejected.")
+            .flags(&["missing-limits"])
+            .decode(kind, frame([ENTRIES, ENTRIES + 1]))
+            .rejects("limit")
+            .because("A map of the tables may have 4,096 entries, whatever names others have."),
+        of("at-limit", "NCP-WIRE-068")
+            .title("A `command_frame` with 4,096 channels in each of two steps is read.")
+            .flags(&["low-limits"])
+            .decode(kind, frame([ENTRIES, ENTRIES]))
+            .means(frame([ENTRIES, ENTRIES]))
+            .because("A map may have 4,096 entries, whatever other maps of the frame have."),
+    ]
 }
 
 /// Arrays of 4,096 items that are no numbers, and of one more.
