@@ -83,6 +83,34 @@ const ALIKE: [(&str, &[&str]); 21] = [
     ("badixe", &["bafofo"]),
 ];
 
+/// A name, and names that spell the way to a member of it, as those do who join the names on the way.
+pub(crate) const PATHS: [&str; 24] = [
+    "arm",
+    "arm.data",
+    "arm.data.0",
+    "arm/data",
+    "/arm/data",
+    "arm:data",
+    "arm::data",
+    "arm->data",
+    "arm_data",
+    "arm-data",
+    "arm data",
+    "armdata",
+    "arm\0data",
+    "arm\u{1f}data",
+    "arm[data]",
+    "arm[\"data\"]",
+    "arm.data[0]",
+    "arm.unit",
+    "arm.times",
+    "data",
+    "unit",
+    "values.arm.data",
+    "channels.arm.data",
+    "$.channels.arm.data",
+];
+
 /// All of those names, and whether each is one that the others behind it are like.
 pub(crate) fn alike() -> impl Iterator<Item = (&'static str, bool)> {
     ALIKE

@@ -104,7 +104,7 @@ impl Builder {
         let own = self.rest.replacen("{id}", "uav3", 1).replace("/**", "");
         for (what, realm) in [("as-a-key", own.clone()), ("as-another-key", format!("lab/{own}"))] {
             cases.push(
-                self.case(&format!("realm-{what}"), &["NCP-KEY-018", self.rule])
+                self.case(&format!("realm-{what}"), &[self.rule, "NCP-KEY-018"])
                     .title(format!("The `{}` key in the realm `{realm}` is built as the table says.", self.key))
                     .flags(&["wrong-key"])
                     .call("key.build", self.args(Some(&realm), "uav3", None))

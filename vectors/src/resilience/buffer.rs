@@ -7,7 +7,7 @@ use crate::command::active;
 use crate::json::{Json, object};
 use crate::patch::patched;
 use crate::scenario::{Fault, Row, ScenarioError, Scenarios, source};
-use crate::trace::{any, exactly, name_of, no_result, nums, steps};
+use crate::trace::{any, exactly, int, name_of, no_result, num, nums, steps};
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("resilience/buffer"))?;
@@ -50,6 +50,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     }
     cases.extend(text.cases("unlisted", unlisted)?);
     cases.extend(text.cases("left-behind", left_behind)?);
+    cases.extend(half_read());
     cases.extend(text.cases("clock-of-the-dropped", row_case)?);
     cases.extend(text.cases("channels", channels)?);
     cases.extend(text.cases("signs-of-zero", |row| Ok(channels(row)?.with_signs()))?);
@@ -302,6 +303,52 @@ fn left_behind(row: &Row) -> Result<Case, ScenarioError> {
     let moves = || object! { "channels" => exactly(object! { "velocity_setpoint" => empty() }) };
     let replies = vec![no_result(), no_result(), no_result(), moves(), moves()];
     Ok(row.case(&[Role::Body]).call("buffer.run", args).shows(steps(replies)))
+}
+
+/// A newer command that is rejected for a member behind its channels and its horizon, while an older one is replayed.
+fn half_read() -> Vec<Case> {
+    let of = |seq: i64, x: f64| {
+        let channels = |x: f64| object! { "velocity_setpoint" => object! { "data" => nums(&[x, 0.0, 0.0]) } };
+        let frame =
+            object! { "kind" => "command_frame", "seq" => int(seq), "mode" => "active", "ttl_ms" => num(1000.0) };
+        let frame = frame.with("channels", channels(x));
+        frame.with("horizon", Json::Array(vec![channels(x + 1.0), channels(x + 2.0)])).with("horizon_dt_ms", num(125.0))
+    };
+    let moves = |x: f64| {
+        object! { "channels" => object! { "velocity_setpoint" => object! { "data" => nums(&[x, 0.0, 0.0]) } } }
+    };
+    let goes_on = |x: f64| any(vec![moves(x), object! { "channels" => Json::Null }]);
+    let rejected = of(2, 50.0);
+    let table = [
+        ("time", "NCP-WIRE-020", rejected.clone().with("t", "x".into()).text(), "a time that is a string"),
+        ("frame-id", "NCP-WIRE-021", rejected.clone().with("frame_id", Json::Null).text(), "a frame id of null"),
+        ("repeated", "NCP-WIRE-007", rejected.clone().and("seq", Json::literal("2")).text(), "its `seq` twice"),
+        ("cut", "NCP-WIRE-002", rejected.text().trim_end_matches('}').to_owned(), "no end"),
+        ("version", "NCP-WIRE-020", rejected.with("ncp_version", Json::literal("0.5")).text(), "a version as a number"),
+    ];
+    let case = |(name, rule, text, words): (&str, &'static str, String, &str)| {
+        let frame = |text: &str, now| Event::Text { text: Json::string(text), now, stops: false };
+        let events = [
+            frame(&of(1, 20.0).text(), 1.0),
+            Event::Ask(1.0),
+            frame(&text, 1.0625),
+            Event::Ask(1.0625),
+            Event::Ask(1.1875),
+            Event::Ask(1.3125),
+        ];
+        let (args, ..) = buffer(&events, false);
+        let replies = vec![no_result(), moves(20.0), no_result(), goes_on(20.0), goes_on(21.0), goes_on(22.0)];
+        Case::new(format!("half-read/{name}"), &["NCP-RES-028", rule], &[Role::Body])
+            .call("buffer.run", args)
+            .shows(steps(replies))
+            .title(format!("Of a newer command with {words} no step is replayed."))
+            .flags(&["malformed-moves"])
+            .because(
+                "To reject a frame is to refuse it as a whole; whether the command before goes on is left open, and \
+                 what it says is not.",
+            )
+    };
+    table.map(case).into()
 }
 
 /// Commands of other channels, one after the other: of each nothing is left in the next.

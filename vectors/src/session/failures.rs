@@ -93,6 +93,20 @@ fn failures() -> Vec<Case> {
             [open()].into_iter().chain(most).chain([(by(5.0, rest), after(0, 5))]).collect(),
             "A request that fails costs that request only: what it took is free again.",
         );
+        if what == "rate" {
+            // As many neurons times steps as a server bears, again and again.
+            let large = Open { size: 1_000, records: vec![record("out", "rate", 1_000.0)], ..a.clone() };
+            let fails = (by(20_000.0, too_much), error());
+            let opens = [(large.text(), opened("a"))].into_iter();
+            push(
+                "/of-many-neuron-steps",
+                &["NCP-SESS-037"],
+                "After 16 steps of 20 million neuron steps that fail, the session goes on from where it was."
+                    .to_owned(),
+                opens.chain(std::iter::repeat_n(fails, 16)).chain([(by(5.0, rest), observed("a", 5.0))]).collect(),
+                "A request that fails costs that request only: what it took is free again.",
+            );
+        }
         let mut trace = vec![open()];
         for nth in 0..4 {
             trace.extend(std::iter::repeat_with(fails).take(6));

@@ -38,6 +38,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(versions_beside());
     cases.extend(long_requests());
     cases.extend(behind_long_members());
+    cases.extend(stated_hashes());
     cases.extend(requests_beyond());
     cases.extend(times());
     cases.extend(malformed_times());
@@ -494,6 +495,25 @@ fn behind_long_members() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// What a server says of its contract hash does not depend on what the client says of its own.
+fn stated_hashes() -> [Case; 3] {
+    let own = ncp_text::CONTRACT_HASH;
+    [("capitals", own.to_uppercase()), ("other", "0123456789abcdef".to_owned()), ("own", own.to_owned())].map(
+        |(name, theirs)| {
+            let request = Open::lif("a").json().with("contract_hash", theirs.as_str().into()).text();
+            let stated = any(vec![own.into(), Json::Null]);
+            let reply = opened("a").edit(&["$json"], |reply| reply.with("contract_hash", stated));
+            let trace = vec![open("b"), (close("b"), closed("b")), (request, reply)];
+            case(format!("stated-hash/{name}"), &["NCP-VER-020"], trace)
+                .by("/replies/0", "NCP-SESS-021")
+                .by("/replies/1", "NCP-SESS-028")
+                .title(format!("A server states its own contract hash, or none, to a client of {theirs}."))
+                .flags(&["over-strict"])
+                .because("A peer states the contract hash of its schema, in the letters of the text.")
+        },
+    )
 }
 
 /// Requests of more bytes than a frame may have, in one of fewer characters: they close nothing.

@@ -68,9 +68,17 @@ fn unknown_values() -> Vec<Case> {
     cases
 }
 
-/// Maps of all names that are alike, which are so many members.
-fn of_all_names() -> [Case; 5] {
-    let names = || (1_u32..).zip(names::alike()).map(|(nth, (name, _))| (name, nth));
+/// Maps of all names that are alike, and of names that spell the way to a member of another.
+fn of_all_names() -> Vec<Case> {
+    let mut cases =
+        maps_of("names-alike", "all names that are alike", || names::alike().map(|(name, _)| name)).to_vec();
+    cases.extend(maps_of("names-like-paths", "names like paths", || names::PATHS.into_iter()));
+    cases
+}
+
+/// Maps of these names, of which each has a value of its own.
+fn maps_of<Names: Iterator<Item = &'static str>>(path: &str, words: &str, of: impl Fn() -> Names) -> [Case; 5] {
+    let names = || (1_u32..).zip(of()).map(|(nth, name)| (name, nth));
     let map = |of: &dyn Fn(u32) -> Json| Json::Object(names().map(|(name, nth)| (name.to_owned(), of(nth))).collect());
     let value = |nth| explicit_message("ChannelValue").with("data", nums(&[f64::from(nth)]));
     let sample = |nth| explicit_message("Observation").with("times", nums(&[f64::from(nth)]));
@@ -84,8 +92,8 @@ fn of_all_names() -> [Case; 5] {
     ]
     .map(|(kind, field, value)| {
         let frame = explicit(kind).with(field, value);
-        Case::new(format!("{kind}/names-alike/{field}"), &[READ], readers(kind))
-            .title(format!("{} whose `{field}` has all names that are alike is read with each of them.", a(kind)))
+        Case::new(format!("{kind}/{path}/{field}"), &[READ], readers(kind))
+            .title(format!("{} whose `{field}` has {words} is read with each of them.", a(kind)))
             .flags(&["lost-fields"])
             .decode(kind, frame.text())
             .means(meaning(kind, &frame).text())

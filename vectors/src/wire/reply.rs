@@ -165,7 +165,10 @@ fn broken_of_large() -> Vec<Case> {
     let frame = explicit("observation_frame");
     let text = |frame: Json| frame.text();
     let records = |observation: &str| text(frame.clone().with("records", Json::read(observation)));
-    let table: [(&str, &'static str, String, &str); 7] = [
+    let pin = |name: &str, value: bool| text(frame.clone().with(name, value.into()));
+    let table: [(&str, &'static str, String, &str); 9] = [
+        ("posterior", "NCP-PROV-001", pin("calibrated_posterior", true), "that claims a calibrated posterior"),
+        ("output", "NCP-PROV-002", pin("is_simulation_output", false), "that is no output of a simulation"),
         ("times", "NCP-WIRE-020", records(r#"{"v":{"times":[0.5,"1"]}}"#), "whose record has a time that is a string"),
         ("senders", "NCP-WIRE-010", records(r#"{"v":{"senders":[1,2.0]}}"#), "whose record has a sender of 2.0"),
         ("values", "NCP-WIRE-021", records(r#"{"v":{"values":null}}"#), "whose record has values of null"),

@@ -61,6 +61,7 @@ pub(super) fn file() -> File {
     cases.extend(stimuli::apart_then_alike());
     cases.extend(neurons::tiny());
     cases.extend(time::short_steps());
+    cases.extend(time::long_steps());
     cases.extend(sessions::one_name_both_ways());
     cases.extend(sessions::of_all_names());
     cases.extend(sessions::opened_otherwise());

@@ -671,14 +671,23 @@ pub(super) fn room() -> Vec<Case> {
     let twice = Open { records: vec![record("v", "V_m", 1.0), record("v", "V_m", 1.0)], ..large("a") };
     let refused = || [(twice.text(), crate::trace::anything()), closes("a")];
     let behind_refused = [refused(), refused()].into_iter().flatten().chain([opens("a"), runs("a")]).collect();
+    // Each is closed when another is open; a server that has room for one refuses that other.
+    let whole = |id: &str| Open { size: 100_000, ..Open::lif(id) };
+    let mut in_turn = vec![(whole("a").text(), opened("a"))];
+    for nth in 0..12 {
+        let [before, id] = if nth % 2 == 0 { ["a", "b"] } else { ["b", "a"] };
+        in_turn.extend([(whole(id).text(), crate::trace::anything()), closes(before)]);
+    }
+    in_turn.extend([closes("a"), (whole("c").text(), opened("c")), runs("c")]);
     [
+        ("in-turn", "behind twelve others that overlap", in_turn),
         ("ended", "behind two others that have ended", one_by_one),
         ("refused", "behind two that were refused", behind_refused),
     ]
     .into_iter()
     .map(|(name, words, trace)| {
         reference(format!("far/room/{name}"), &["NCP-SESS-050", "NCP-SESS-028"], trace)
-            .title(format!("A session of 60,000 neurons is opened {words}."))
+            .title(format!("A large session is opened {words}."))
             .because(WHY)
     })
     .collect()

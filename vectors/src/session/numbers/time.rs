@@ -185,3 +185,47 @@ pub(super) fn short_steps() -> Vec<Case> {
     }
     cases
 }
+
+/// Steps that are far longer than the time constant: what is left of a potential is little, and not nothing.
+pub(super) fn long_steps() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let dt = 100.0;
+    for (name, tau) in [("by-100", 1.0), ("by-400", 0.25), ("by-640", 0.156_25)] {
+        let params = |tau_name| vec![(tau_name, tau)];
+        let cell = [("C_m", tau), ("E_L", 0.0), ("V_reset", 0.0), ("V_th", 1e305), ("t_ref", 0.0)];
+        let lif = Open {
+            params: [params("tau_m"), cell.to_vec()].concat(),
+            records: vec![record("out", "V_m", dt)],
+            stimuli: vec![stimulus("in", "current_pA")],
+            ..Open::lif("a")
+        };
+        let rate = Open {
+            params: params("tau"),
+            records: vec![record("out", "rate", dt)],
+            stimuli: vec![stimulus("in", "rate_inject")],
+            ..Open::rate("a")
+        };
+        for (network, rule, open) in [("lif", "NCP-SESS-050", lif), ("rate", "NCP-SESS-051", rate)] {
+            let open = Open { dt, chunk: dt, ..open };
+            let after = |steps: f64, value: f64| {
+                recorded_at("a", steps * dt, object! { "out" => small_samples(&[steps * dt], &[value]) })
+            };
+            let trace = vec![
+                (open.text(), opened("a")),
+                (step("a", None, Some(("in", 1e300))), after(1.0, 1e300)),
+                (step("a", None, Some(("in", 0.0))), after(2.0, 1e300 * (-dt / tau).exp())),
+            ];
+            cases.push(
+                reference(format!("long/{name}/{network}"), &[rule], trace)
+                    .title(format!(
+                        "A step of {dt} ms leaves of a state ({network}) with a time constant of {tau} ms what the \
+                         formula says."
+                    ))
+                    .because(
+                        "The factor of a step is exp(\u{2212}dt / tau), which is a double down to 10^\u{2212}308.",
+                    ),
+            );
+        }
+    }
+    cases
+}
