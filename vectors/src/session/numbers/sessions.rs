@@ -9,7 +9,7 @@ use crate::session::{
     Open, close, error, not_opened, observation, observed, opened, record, recorded, reference, replies, run, step,
     stimulus,
 };
-use crate::trace::{any, nums};
+use crate::trace::{any, anything, nums};
 
 /// Networks whose parameters have the same values under other names are others.
 pub(super) fn same_values() -> Case {
@@ -53,13 +53,7 @@ pub(super) fn swapped() -> Vec<Case> {
             (
                 "anew",
                 "in a session that is opened anew",
-                vec![
-                    opens("a", p),
-                    steps("a", p),
-                    (close("a"), crate::trace::anything()),
-                    opens("a", q),
-                    steps("a", q),
-                ],
+                vec![opens("a", p), steps("a", p), (close("a"), anything()), opens("a", q), steps("a", q)],
             ),
         ] {
             cases.push(
@@ -92,7 +86,7 @@ pub(super) fn reopened() -> Vec<Case> {
         };
         let driven = |id: &str| (step(id, Some(7.0), Some(("in", current))), recorded(id, after(7, current)));
         let at_rest = |id: &str| (step(id, Some(10.0), None), recorded(id, after(10, 0.0)));
-        let closes = |id: &str| (close(id), crate::trace::anything());
+        let closes = |id: &str| (close(id), anything());
         let by_other_port = |id: &str| (step(id, Some(6.0), Some(("more", 90.0))), recorded(id, after(6, 90.0)));
         for (id, which) in [("a", "with its id"), ("b", "with another id")] {
             let trace = vec![opens("a"), driven("a"), closes("a"), opens(id), by_other_port(id)];
@@ -645,7 +639,7 @@ pub(super) fn opened_otherwise() -> Vec<Case> {
         let trace = vec![
             (first.text(), opened("a")),
             (step("a", Some(1.0), None), observation("a")),
-            (close("a"), crate::trace::anything()),
+            (close("a"), anything()),
             (second.text(), opened("a")),
             (request, reply),
         ];
@@ -664,23 +658,21 @@ pub(super) fn room() -> Vec<Case> {
     let large = |id: &str| Open { size: 60_000, ..Open::lif(id) };
     let opens = |id: &str| (large(id).text(), opened(id));
     let runs = |id: &str| (step(id, Some(1.0), None), observed(id, 1.0));
-    let closes = |id: &str| (close(id), crate::trace::anything());
+    let closes = |id: &str| (close(id), anything());
     // The second has the id of the first.
     let one_by_one = ["a", "a", "b"].iter().flat_map(|id| [opens(id), runs(id), closes(id)]).collect();
     // Two ports of one name, for which it should be refused.
     let twice = Open { records: vec![record("v", "V_m", 1.0), record("v", "V_m", 1.0)], ..large("a") };
-    let refused = || [(twice.text(), crate::trace::anything()), closes("a")];
+    let refused = || [(twice.text(), anything()), closes("a")];
     let behind_refused = [refused(), refused()].into_iter().flatten().chain([opens("a"), runs("a")]).collect();
-    // Each is closed when another is open; a server that has room for one refuses that other.
+    // Each is closed while a small one is open; a server that has room for one refuses that.
     let whole = |id: &str| Open { size: 100_000, ..Open::lif(id) };
-    let mut in_turn = vec![(whole("a").text(), opened("a"))];
-    for nth in 0..12 {
-        let [before, id] = if nth % 2 == 0 { ["a", "b"] } else { ["b", "a"] };
-        in_turn.extend([(whole(id).text(), crate::trace::anything()), closes(before)]);
-    }
-    in_turn.extend([closes("a"), (whole("c").text(), opened("c")), runs("c")]);
+    let round = || [(whole("a").text(), anything()), (Open::lif("b").text(), anything()), closes("a"), closes("b")];
+    let mut in_turn = vec![(whole("a").text(), opened("a")), closes("a")];
+    in_turn.extend(std::iter::repeat_with(round).take(12).flatten());
+    in_turn.extend([(whole("c").text(), opened("c")), runs("c")]);
     [
-        ("in-turn", "behind twelve others that overlap", in_turn),
+        ("in-turn", "behind twelve others that each ended before a small one", in_turn),
         ("ended", "behind two others that have ended", one_by_one),
         ("refused", "behind two that were refused", behind_refused),
     ]
