@@ -506,9 +506,8 @@ fn stated_hashes() -> [Case; 3] {
             let stated = any(vec![own.into(), Json::Null]);
             let reply = opened("a").edit(&["$json"], |reply| reply.with("contract_hash", stated));
             let trace = vec![open("b"), (close("b"), closed("b")), (request, reply)];
-            case(format!("stated-hash/{name}"), &["NCP-VER-020"], trace)
-                .by("/replies/0", "NCP-SESS-021")
-                .by("/replies/1", "NCP-SESS-028")
+            case(format!("stated-hash/{name}"), &["NCP-SESS-025", "NCP-VER-020"], trace)
+                .by("/replies/2/contract_hash", "NCP-VER-020")
                 .title(format!("A server states its own contract hash, or none, to a client of {theirs}."))
                 .flags(&["over-strict"])
                 .because("A peer states the contract hash of its schema, in the letters of the text.")
