@@ -231,9 +231,9 @@ fn defaults() -> Vec<Case> {
                 format!("default/beside-{name}"),
                 &["NCP-CTRL-002", "NCP-CTRL-001"],
                 given,
-                sensor(1, 0.0, &[0.75, 0.5, -0.5], Some(&[0.0; 3])),
+                sensor(1, 0.0, &[0.75, 0.5, -0.5], Some(&[0.5, -0.25, 0.125])),
             )
-            .shows(commands(&law(gains, [0.75, 0.5, -0.5], [0.0; 3])))
+            .shows(commands(&law(gains, [0.75, 0.5, -0.5], [0.5, -0.25, 0.125])))
             .title(format!("With only {name} given, the rest has its default."))
             .because("The defaults are kp 1, kd 0.3, max_speed 1.5 m/s."),
         );

@@ -792,6 +792,17 @@ fn extremes() -> Vec<Case> {
                 .because("The expected seq only moves forward, and a seq from before stays late or a duplicate."),
         );
     }
+    // The rate of nearly all is below 1, also where single precision takes what was expected for less.
+    for last in [33_554_435_i64, 67_108_867, 4_294_967_301] {
+        cases.push(
+            Case::new(format!("extreme/rate/{last}"), &["NCP-RES-045", "NCP-RES-044"], &BOTH)
+                .call("link.run", args(None, None, &[1, last]))
+                .shows(steps(vec![no_result(), object! { "loss_rate" => within(0.999_999, 1.0) }]))
+                .title(format!("Where all between 1 and {last} are lost, the loss rate is at most 1."))
+                .flags(&["wrong-loss"])
+                .because("The loss rate is lost / (expected \u{2212} first), and always within 0 and 1."),
+        );
+    }
     // Late frames of so many lost ones that the count is at its end. What they take off that count is its own affair,
     // and so is whether they count at all: of so many that are missing, any may be forgotten.
     let rate = || object! { "loss_rate" => within(0.999, 1.0) };

@@ -28,6 +28,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(text.cases("repeated-within", repeated)?);
     cases.extend(text.rest(not_repeated)?);
     cases.extend(of_all_names());
+    cases.extend(empty_errors());
     cases.extend(zeros());
     cases.push(escaped_kind());
     cases.extend(escaped());
@@ -98,6 +99,24 @@ fn maps_of<Names: Iterator<Item = &'static str>>(path: &str, words: &str, of: im
             .decode(kind, frame.text())
             .means(meaning(kind, &frame).text())
             .because("Every field has the value that the frame gives it, and a name is another by its least letter.")
+    })
+}
+
+/// Error frames that say nothing.
+fn empty_errors() -> [Case; 3] {
+    let frame = || object! { "kind" => "error", "error" => "" };
+    let table = [
+        ("alone", frame()),
+        ("session-null", frame().with("session_id", Json::Null)),
+        ("session-empty", frame().with("session_id", "".into())),
+    ];
+    table.map(|(name, frame)| {
+        Case::new(format!("error/empty/{name}"), &["NCP-WIRE-100"], readers("error"))
+            .title(format!("An error frame with an empty error ({}) is read.", name.replace('-', " ")))
+            .flags(&["over-strict"])
+            .decode("error", frame.text())
+            .accepts()
+            .because("A client reads a reply of kind `error` as an error frame, whatever it says.")
     })
 }
 

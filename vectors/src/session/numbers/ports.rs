@@ -559,6 +559,21 @@ pub(super) fn far_samples() -> Vec<Case> {
                 .because(why),
         );
     }
+    // Three ports, whose cadences come together once in sixty steps.
+    let cadences = [("a", 4_u32), ("b", 3), ("c", 5)];
+    let records = cadences.map(|(port, every)| record(port, "V_m", f64::from(every)));
+    let open = Open { records: records.to_vec(), ..Open::lif("a") };
+    let all =
+        cadences.map(|(port, every)| (port.to_owned(), object! { "times" => nums(&multiples(every, 0, 70, 1.0)) }));
+    cases.push(
+        reference(
+            "far/cadence/three-ports".to_owned(),
+            &["NCP-SESS-053"],
+            vec![(open.text(), opened("a")), (run("a", 70.0), recorded("a", Json::Object(all.to_vec())))],
+        )
+        .title("Three ports are sampled each by its own cadence over 70 steps.")
+        .because(why),
+    );
     // Two ports, each by its own cadence.
     let records = vec![record("often", "V_m", 21_000.0), record("rarely", "V_m", 65_537.0)];
     let open = Open { records, ..Open::lif("a") };

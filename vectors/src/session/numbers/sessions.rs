@@ -397,6 +397,16 @@ pub(super) fn much_at_once() -> Vec<Case> {
             ))
             .because("A server bears a million samples in each request, and a sample is one by the cadence."),
     );
+    // A port of one neuron at every step, beside one of all that has no sample yet.
+    let (size, steps) = (50_000_u32, 300_u32);
+    let one = record("one", "V_m", 1.0).with("ids", std::iter::once(1).collect::<Json>());
+    let open = Open { size, records: vec![one, record("all", "V_m", 1_000.0)], ..Open::lif("a") };
+    let trace = vec![(open.text(), opened("a")), (run("a", f64::from(steps)), observed("a", f64::from(steps)))];
+    cases.push(
+        reference("far/samples/of-one-beside-many".to_owned(), &["NCP-SESS-027", "NCP-SESS-053"], trace)
+            .title(format!("A run of {steps} steps in which one neuron of {size} is sampled at each is answered."))
+            .because("A server bears a million samples in each request, and a sample is one by the cadence."),
+    );
     // Many steps of many neurons, and a port of spikes that counts as one that samples at each of them.
     let quiet = vec![record("s", "spikes", 1.0)];
     let table: [(&str, u32, u32, Vec<Json>, &str); 3] = [
