@@ -309,7 +309,8 @@ fn left_behind(row: &Row) -> Result<Case, ScenarioError> {
 fn half_read() -> Vec<Case> {
     let of = |seq: i64, x: f64| {
         let channels = |x: f64| object! { "velocity_setpoint" => object! { "data" => nums(&[x, 0.0, 0.0]) } };
-        let frame = object! { "ncp_version" => ncp_text::WIRE_VERSION, "kind" => "command_frame", "seq" => int(seq), "mode" => "active", "ttl_ms" => num(1000.0) };
+        let frame = object! { "ncp_version" => ncp_text::WIRE_VERSION, "kind" => "command_frame", "seq" => int(seq),
+        "mode" => "active", "ttl_ms" => num(1000.0) };
         let frame = frame.with("channels", channels(x));
         frame.with("horizon", Json::Array(vec![channels(x + 1.0), channels(x + 2.0)])).with("horizon_dt_ms", num(125.0))
     };
