@@ -83,6 +83,13 @@ const ALIKE: [(&str, &[&str]); 21] = [
     ("badixe", &["bafofo"]),
 ];
 
+/// All of those names, and whether each is one that the others behind it are like.
+pub(crate) fn alike() -> impl Iterator<Item = (&'static str, bool)> {
+    ALIKE
+        .into_iter()
+        .flat_map(|(name, like)| std::iter::once((name, true)).chain(like.iter().map(|name| (*name, false))))
+}
+
 /// A name, and names that spell the way to a member of it, as those do who join the names on the way.
 pub(crate) const PATHS: [&str; 24] = [
     "arm",
@@ -110,13 +117,6 @@ pub(crate) const PATHS: [&str; 24] = [
     "channels.arm.data",
     "$.channels.arm.data",
 ];
-
-/// All of those names, and whether each is one that the others behind it are like.
-pub(crate) fn alike() -> impl Iterator<Item = (&'static str, bool)> {
-    ALIKE
-        .into_iter()
-        .flat_map(|(name, like)| std::iter::once((name, true)).chain(like.iter().map(|name| (*name, false))))
-}
 
 #[cfg(test)]
 mod tests {
