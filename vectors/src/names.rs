@@ -22,7 +22,7 @@ const fn as_name(bytes: &'static [u8]) -> &'static str {
 
 /// Names, each with those that a careless comparison takes for it: without a look at case, form, width, white space,
 /// marks, what is not seen, or the spelling of a number, or by a hash of 32 bits.
-const ALIKE: [(&str, &[&str]); 21] = [
+const ALIKE: [(&str, &[&str]); 24] = [
     (
         "name-1",
         &[
@@ -67,6 +67,17 @@ const ALIKE: [(&str, &[&str]); 21] = [
     ("i", &["\u{131}", "\u{130}", "I"]),
     ("\u{3c3}", &["\u{3c2}"]),
     ("\u{10428}", &["\u{10400}", "\u{428}"]),
+    (
+        "6ba7b810-9dad-11d1-80b4-00c04fd430c8",
+        &[
+            "6BA7B810-9DAD-11D1-80B4-00C04FD430C8",
+            "6ba7b8109dad11d180b400c04fd430c8",
+            "{6ba7b810-9dad-11d1-80b4-00c04fd430c8}",
+            "urn:uuid:6ba7b810-9dad-11d1-80b4-00c04fd430c8",
+        ],
+    ),
+    ("2001:db8::1", &["2001:0db8::1", "2001:DB8::1", "2001:db8:0::1", "[2001:db8::1]"]),
+    ("a b", &["a+b", "a%20b", "a  b", "a\tb", "a&nbsp;b"]),
     ("1", &["01", "1.0", "1e0", "+1", "0x1", "true"]),
     // By a sum times 31 (of Java), CRC-32, FNV-1a, djb2, djb2 by xor, FNV-1, sdbm, Murmur3, Jenkins' one at a time,
     // FNV-1a of 64 bits folded, and Adler-32.

@@ -152,11 +152,11 @@ fn every_title_and_every_reason_is_a_sentence() {
 }
 
 #[test]
-fn a_file_stays_below_2_mib_and_the_corpus_below_20() {
+fn a_file_stays_below_2_mib_and_the_corpus_below_24() {
     let sizes: Vec<_> = on_disk::corpus().into_iter().map(|(path, text)| (text.len(), path)).collect();
     let largest = sizes.iter().max().unwrap();
     assert!(largest.0 < 2 << 20, "{largest:?}");
     // Maps of as many entries as a frame may have, long waits, and every rule at several sizes, on several roads and in
     // each mode have to be written out.
-    assert!(sizes.iter().map(|(size, _)| size).sum::<usize>() < 20 << 20);
+    assert!(sizes.iter().map(|(size, _)| size).sum::<usize>() < 24 << 20);
 }

@@ -1,6 +1,6 @@
 //! Observations packed in blocks, and taken out of them.
 
-use super::build::{Block, Column, Part, Values, f32s, f64s, golden, i32s, i64s, of_zeros};
+use super::build::{Block, Column, Part, Values, f32s, f64s, golden, i32s, i64s, of_runs, of_zeros};
 use super::{READERS, columns_json, many};
 use crate::case::Role::Server;
 use crate::case::{Case, File};
@@ -16,6 +16,7 @@ pub(super) fn file(broken: Vec<Case>) -> File {
     cases.extend(not_unpacked());
     cases.extend(broken);
     cases.extend(wrapped());
+    cases.extend(long_in_any_order());
     File::new("bulk", "observation", "Observations packed in BulkBlocks, and taken out of them.", cases)
 }
 
@@ -415,6 +416,48 @@ fn wrapped() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Long columns that are told apart by their names alone.
+fn long_in_any_order() -> Vec<Case> {
+    // A column is all of one byte, so that its values are all equal.
+    let double = |byte: u8| Json::literal(format!("{:?}", f64::from_bits(u64::from_ne_bytes([byte; 8]))));
+    let integer = |byte: u8| Json::string(u64::from_ne_bytes([byte; 8]).to_string());
+    let table = [
+        ("values-first", ["values", "times", "senders"]),
+        ("senders-first", ["senders", "times", "values"]),
+        ("senders-between", ["values", "senders", "times"]),
+        ("reversed", ["senders", "values", "times"]),
+        ("values-behind-another", ["weights", "values", "times"]),
+    ];
+    let case = |(what, order): (&str, [&'static str; 3])| {
+        // So that every offset is written in bytes below 128.
+        let rows = 8_192;
+        let byte = |name: &str| match name {
+            "times" => '0',
+            "values" => '1',
+            "senders" => '2',
+            _ => '3',
+        };
+        let dtype = |name: &str| if name == "senders" { 4 } else { 2 };
+        let block = of_runs(&order.map(|name| (name, dtype(name), rows, byte(name))));
+        let given = |name: &str, item: Json| match order.contains(&name) {
+            true => many(item, rows),
+            false => Json::Array(Vec::new()),
+        };
+        let arrays = object! {
+            "times" => given("times", double(b'0')),
+            "values" => given("values", double(b'1')),
+            "senders" => given("senders", integer(b'2')),
+        };
+        Case::new(format!("unpack/order/long/{what}"), &["NCP-OBS-008"], READERS)
+            .call("observation.unpack", object! { "block" => block })
+            .gives(arrays)
+            .title(format!("Columns of {rows} rows may stand in any order ({}).", order.join(", ")))
+            .flags(&["fixed-layout"])
+            .because("Columns are known by their names, however long they are.")
+    };
+    table.map(case).into()
 }
 
 fn not_unpacked() -> Vec<Case> {

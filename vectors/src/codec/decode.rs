@@ -370,6 +370,9 @@ fn ranges() -> Vec<Case> {
     cases
 }
 
+/// Components of one channel, each of which is beyond what is there by more than the one before.
+const GROWING: [u32; 7] = [2, 5, 11, 20, 70, 300, 700];
+
 fn mappings() -> Vec<Case> {
     let mut cases = Vec::new();
     let mapping = |channel, component, population| Mapping { channel, component, population, ..PLAIN };
@@ -494,6 +497,7 @@ fn mappings() -> Vec<Case> {
         ),
     ];
     let wide: Vec<f64> = (0..=1024).map(|nth| if [256, 1024].contains(&nth) { -0.5 } else { 0.0 }).collect();
+    let growing: Vec<f64> = (0..=700).map(|nth| if GROWING.contains(&nth) { 0.5 } else { 0.0 }).collect();
     let powers = [mapping("x", 256, "q"), mapping("x", 1024, "q")];
     let beside = [mapping("y", 0, "p")];
     let table = table.into_iter().chain([
@@ -510,6 +514,27 @@ fn mappings() -> Vec<Case> {
             "The components 256 and 1,024 of a channel are none of the one before",
             [&beside[..], &powers].concat(),
             channels(vec![("x", wide), ("y", vec![0.5])]),
+        ),
+        (
+            "grows",
+            "NCP-CODEC-010",
+            "A channel whose mappings name ever later components is 0 between them",
+            GROWING.map(|at| mapping("x", at, "p")).to_vec(),
+            channels(vec![("x", growing.clone())]),
+        ),
+        (
+            "shrinks",
+            "NCP-CODEC-010",
+            "A channel whose mappings name ever earlier components is 0 between them",
+            GROWING.iter().rev().map(|at| mapping("x", *at, "p")).collect(),
+            channels(vec![("x", growing.clone())]),
+        ),
+        (
+            "grow-by-turns",
+            "NCP-CODEC-010",
+            "Channels whose mappings name ever later components by turns are 0 between them",
+            GROWING.iter().flat_map(|at| [mapping("x", *at, "p"), mapping("y", *at, "p")]).collect(),
+            channels(vec![("x", growing.clone()), ("y", growing)]),
         ),
     ]);
     for (name, rule, words, mappings, expected) in table {

@@ -74,10 +74,13 @@ fn precisely(x: f64, from: [f64; 2], to: [f64; 2]) -> Json {
 /// by a few roundings only.
 ///
 /// The last four are ranges of which the quotient of lengths is no normal double, though every step of the formula is.
-const PRECISE: [(&str, f64, [f64; 2], [f64; 2]); 10] = [
+const PRECISE: [(&str, f64, [f64; 2], [f64; 2]); 13] = [
     ("far-from-zero", 1_000_000.3, [1_000_000.0, 1_000_000.7], [0.0, 1.0]),
     ("far-below-zero", -4_000_000.4, [-4_000_000.9, -4_000_000.2], [-1.0, 1.0]),
     ("far-and-downwards", 70_000.1, [70_000.0, 70_000.3], [1.0, 0.0]),
+    ("some-way-from-zero", 40_000.3, [40_000.0, 40_000.7], [0.0, 1.0]),
+    ("some-way-below-zero", -50_000.4, [-50_000.9, -50_000.1], [-1.0, 1.0]),
+    ("seconds-of-an-epoch", 1_700_000_000.123, [1.7e9, 1_700_000_001.0], [0.0, 100.0]),
     ("to-a-small-range", 0.123_456_789, [-1.0, 1.0], [0.0, 1e-3]),
     ("to-a-smaller-range", 61.7, [0.0, 200.0], [-1e-7, 1e-7]),
     ("from-a-small-range", 1.7e-9, [0.0, 3e-9], [0.0, 200.0]),

@@ -202,8 +202,11 @@ pub(crate) fn accepted() -> Vec<Segment> {
         ("keyword", "session", "is `session`", "over-strict"),
         ("prototype", "__proto__", "is `__proto__`", "prototype-names"),
     ];
-    let mut all: Vec<Segment> =
-        table.into_iter().map(|(name, text, says, flag)| segment(name, text, says, "NCP-KEY-020", flag)).collect();
+    let mut all: Vec<Segment> = table
+        .into_iter()
+        .chain(SPELLED.map(|(name, text, says)| (name, text, says, "changed-segments")))
+        .map(|(name, text, says, flag)| segment(name, text, says, "NCP-KEY-020", flag))
+        .collect();
     all.extend([
         segment("bytes-256", "a".repeat(256), "has 256 bytes", "NCP-KEY-020", "segment-length"),
         segment(
@@ -244,6 +247,26 @@ pub(crate) fn accepted() -> Vec<Segment> {
     ]);
     all
 }
+
+/// Segments that read as something that has another spelling as well: each stays as it is.
+const SPELLED: [(&str, &str, &str); 16] = [
+    ("uuid-in-capitals", "6BA7B810-9DAD-11D1-80B4-00C04FD430C8", "is a UUID in capitals"),
+    ("uuid-without-hyphens", "6ba7b8109dad11d180b400c04fd430c8", "is a UUID without hyphens"),
+    ("uuid-in-braces", "{6ba7b810-9dad-11d1-80b4-00c04fd430c8}", "is a UUID in braces"),
+    ("uuid-as-a-urn", "urn:uuid:6ba7b810-9dad-11d1-80b4-00c04fd430c8", "is a UUID as a URN"),
+    ("address-with-zeros", "2001:0DB8:0:0::1", "is an IPv6 address with zeros that may be left out"),
+    ("address-of-octets", "010.0.0.001", "is an IPv4 address with leading zeros"),
+    ("host-with-a-dot", "UAV3.Local.", "is the name of a host with a dot at its end"),
+    ("integer-with-a-sign", "+7", "is an integer with a sign"),
+    ("number-with-zeros", "1.50e03", "is a number with zeros that may be left out"),
+    ("number-in-hex", "0x1F", "is a number in hexadecimal digits"),
+    ("minus-zero", "-0", "is minus zero"),
+    ("time", "2026-01-02T03:04:05.600+00:00", "is a time with an offset"),
+    ("base64-with-padding", "YQ==", "is Base64 with padding"),
+    ("entity", "a&amp;b", "holds an entity of HTML"),
+    ("escape-of-json", "a\\u0041", "holds what looks like an escape of JSON"),
+    ("plus", "a+b", "holds a plus sign, which some take for a space"),
+];
 
 /// A few of them.
 pub(crate) fn accepted_sample() -> Vec<Segment> {

@@ -39,6 +39,7 @@ impl Encoder {
         cases.extend(self.zeros());
         cases.extend(self.refused_ids());
         cases.extend(self.large());
+        cases.extend(self.wide());
         cases.extend(self.long());
         cases
     }
@@ -109,6 +110,46 @@ impl Encoder {
                     .because("An encoder writes every message that a receiver has to read.")
             })
             .collect()
+    }
+
+    /// Long arrays of which one item is of another size or spelling than all before it.
+    fn wide(&self) -> Vec<Case> {
+        if self.kind != "observation_frame" {
+            return Vec::new();
+        }
+        let table = [
+            ("senders-wide-last", "senders", "3", "1099511627776", "senders of which the last has more than 32 bits"),
+            ("senders-least-last", "senders", "0", "-9007199254740991", "senders of which the last is the least"),
+            ("values-tiny-last", "values", "0.125", "5e-324", "values of which the last is the least of all doubles"),
+            (
+                "times-huge-last",
+                "times",
+                "1.0",
+                "1.7976931348623157e308",
+                "times of which the last is the greatest double",
+            ),
+        ];
+        let case = |(what, member, item, last, says): (&str, &str, &str, &str, &str)| {
+            let times = 2_048;
+            let around = |items: Json| object! { "a" => explicit_message("Observation").with(member, items) };
+            let frame = explicit(self.kind).with("records", around(Json::literal(LONG))).text();
+            let (before, after) = frame.split_once(LONG).unwrap_or((&frame, ""));
+            let text = Text::concat([
+                format!("{before}[").into(),
+                Text::repeat(format!("{item},"), times),
+                format!("{last}]{after}").into(),
+            ]);
+            let items = object! { "$item" => Json::literal(item), "times" => Json::literal(times.to_string()) };
+            let items = Json::Array(vec![items, Json::literal(last)]);
+            let rule = if member == "senders" { "NCP-WIRE-085" } else { "NCP-WIRE-084" };
+            self.case(&format!("large/{what}"), &[rule, WRITE])
+                .title(format!("{} with {} {says} is written with all of them.", a(self.kind), times + 1))
+                .flags(&["low-limits"])
+                .encode(self.kind, self.fields(explicit(self.kind)).with("records", around(items)))
+                .means(text)
+                .because("How one item of an array is written does not depend on another, nor on how many there are.")
+        };
+        table.map(case).into()
     }
 
     /// Only what must be set, everything, everything but what is optional.
@@ -736,15 +777,8 @@ impl Encoder {
         Case::new(what, rules, writers(self.kind))
     }
 
-    /// What `encode` takes: a frame without `kind`, also within its stimulus frame, and with the
-    /// version left to the implementation.
     fn fields(&self, frame: Json) -> Json {
-        let frame = frame.without("kind").without("ncp_version");
-        if self.message.field("stimulus").is_some_and(|field| field.shape == Shape::Message("StimulusFrame".to_owned()))
-        {
-            return frame.edit(&["stimulus"], |stimulus| stimulus.without("kind").without("ncp_version"));
-        }
-        frame
+        fields(self.message, frame)
     }
 
     fn with_program_defaults(&self, fields: Json) -> Json {
@@ -764,6 +798,16 @@ impl Encoder {
         const FREE: [&str; 5] = ["frame_id", "note", "backend", "controller_id", "error"];
         self.message.fields.iter().map(|field| field.name.as_str()).find(|name| FREE.contains(name))
     }
+}
+
+/// What `encode` takes: a frame without `kind`, also within its stimulus frame, and with the version left to the
+/// implementation.
+pub(super) fn fields(message: &Message, frame: Json) -> Json {
+    let frame = frame.without("kind").without("ncp_version");
+    if message.field("stimulus").is_some_and(|field| field.shape == Shape::Message("StimulusFrame".to_owned())) {
+        return frame.edit(&["stimulus"], |stimulus| stimulus.without("kind").without("ncp_version"));
+    }
+    frame
 }
 
 /// Error frames, whose table has no defaults.

@@ -6,6 +6,7 @@ mod kinds;
 mod late;
 mod members;
 mod numbers;
+mod partial;
 mod pins;
 mod place;
 mod reply;
@@ -36,6 +37,7 @@ pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
         session_id::file(),
         stimulus::file()?,
         pins::file(),
+        partial::file(),
         reply::file()?,
         roads::replies(),
     ]);

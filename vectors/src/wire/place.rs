@@ -120,6 +120,11 @@ impl Place {
         out + name
     }
 
+    /// The member as a JSON pointer from the frame.
+    pub(super) fn pointer(&self, name: &str) -> String {
+        self.path.iter().map(String::as_str).chain([name]).map(|part| format!("/{part}")).collect()
+    }
+
     /// The message alone, on that ground.
     pub(super) fn alone(&self, ground: Ground) -> Json {
         match (self.is_nested(), ground) {
