@@ -180,11 +180,13 @@ fn beyond_the_doubles() -> Vec<Case> {
     for (name, kp, kd, position, moving, u) in [
         ("damping", 1.0, 1e10, [1.0, -1.0, 0.5], [1e300, -1e300, 0.0], [-most, most, -0.5]),
         ("pull", 1e10, 1.0, [1e300, -1e300, 0.0], [1.0, -1.0, 0.5], [-most, most, -0.5]),
+        ("pull-of-one", 10.0, 1.0, [0.5, 1e308, 0.0], [0.0; 3], [-5.0, -most, 0.0]),
     ] {
         let gains = Gains { kp, kd, max_speed: most, target: [0.0; 3] };
         cases.push(
             of_law(format!("law/beyond-the-doubles/{name}"), gains, position, moving)
-                .shows(commands(&u))
+                .shows(object! { "command" => object! { "seq" => int(1), "mode" => "active", "channels" => velocity(&u) } })
+                .by("/command/seq", "NCP-PLANE-006")
                 .title(format!(
                     "The reflex controller answers by its law where one term of it leaves the doubles ({}).",
                     name.replace('-', " ")

@@ -10,6 +10,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = newest();
     cases.extend(laws());
     cases.extend(undamped());
+    cases.extend(standing());
     cases.extend(Scenarios::read(source!("control/loop"))?.rest(row_case)?);
     cases.extend(super::endures::cases());
     cases.extend(ttls());
@@ -224,6 +225,29 @@ fn undamped() -> Vec<Case> {
     unusable.into_iter().map(case).collect()
 }
 
+/// A plant that stands, as far as the sensor tells, and whose velocity changes.
+fn standing() -> Vec<Case> {
+    let at = [0.5, -0.25, 0.125];
+    let moving = [[0.5, 0.0, 0.0], [-0.5, 0.25, 0.0], [0.0, 0.0, -0.5], [-0.0, 0.0, 0.5], [0.25, 0.25, 0.25]];
+    let case = |is_stamped: bool| {
+        let tick = |(nth, velocity): (u32, [f64; 3])| {
+            let (t, now) = (f64::from(nth), 1.0 + f64::from(nth) / 16.0);
+            let seq = if is_stamped { i64::from(nth) + 1 } else { 0 };
+            [frame(seq, t, channels_at(&at, Some(&velocity)), now), moves_by(&law(DEFAULT, at, velocity), now)]
+        };
+        let trace = (0_u32..).zip(moving).flat_map(tick).collect();
+        let path = format!("law/standing/{}", if is_stamped { "stamped" } else { "unstamped" });
+        run_with(path, &["NCP-CTRL-001"], 50.0, Json::object(), DEFAULT.json(), trace)
+            .title(format!(
+                "At one position each {} frame is damped by its own velocity.",
+                if is_stamped { "stamped" } else { "unstamped" }
+            ))
+            .flags(&["reflex-law"])
+            .because("The command follows from position and velocity of the frame that the tick used.")
+    };
+    [true, false].map(case).into()
+}
+
 /// What the controller makes of a frame behind another without a stamp: the velocity along x shows which frame it uses,
 /// and another axis that it keeps no position of the one before.
 fn laws() -> Vec<Case> {
@@ -414,6 +438,27 @@ fn ttls() -> Vec<Case> {
                     ),
             );
         }
+    }
+    // HOLDs of the controller for a frame without a usable position.
+    let blind: [(&str, &str, Option<&[f64]>); 5] = [
+        ("none", "no position", None),
+        ("nan", "a position of NaN", Some(&[f64::NAN, 0.0, 0.0])),
+        ("infinite", "an infinite position", Some(&[0.0, 0.0, f64::INFINITY])),
+        ("two-wide", "a position of two components", Some(&[0.5, 0.5])),
+        ("empty", "an empty position", Some(&[])),
+    ];
+    for (what, words, position) in blind {
+        let period = 250.0;
+        let command = object! { "mode" => "hold", "ttl_ms" => within(2.0 * period, f64::MAX) };
+        let channels = position.map_or(Json::object(), |position| channels_at(position, None));
+        let trace = vec![frame(8, 0.5, channels, 1.0), commands(1.0, command.clone()), commands(1.125, command)];
+        cases.push(
+            run(format!("ttl/blind/{what}"), &["NCP-CTRL-014"], period, Json::object(), trace)
+                .by("/steps/*/command/mode", "NCP-CTRL-003")
+                .title(format!("With a period of {period} ms the HOLD for {words} lasts {} ms or more.", 2.0 * period))
+                .flags(&["short-ttl"])
+                .because("The loop raises `ttl_ms` to at least two periods, whatever the controller commands."),
+        );
     }
     // Raised is not set: no controller means its commands for so few milliseconds.
     for period in [0.125, 1.0] {

@@ -17,6 +17,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         "mode-none",
         "mode-other",
         "mode-alone",
+        "hold-often",
         "mode/unknown",
         "mode/not-estop",
         "mode-absent",

@@ -16,6 +16,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(text.cases("burst", row_case)?);
     cases.push(at_the_threshold());
     cases.extend(next_to_the_threshold());
+    cases.extend(high_thresholds());
     cases.extend(small_beside_the_sum());
     cases.extend(text.rest(row_case)?);
     cases.extend(relapses());
@@ -350,6 +351,24 @@ fn next_to_the_threshold() -> Vec<Case> {
             )
     };
     table.map(case).into()
+}
+
+/// Thresholds beyond what a detector might hold for the most that a sum comes to.
+fn high_thresholds() -> Vec<Case> {
+    let case = |(threshold, gaps): (f64, i64)| {
+        // Each gap of 256 adds 256 under a reference loss of 0, and takes nothing off.
+        let seqs: Vec<i64> = (0..=gaps).map(|nth| 1 + nth * 257).collect();
+        #[expect(clippy::cast_precision_loss, reason = "the numbers are small")]
+        let is_burst = |nth: usize| (nth * 256) as f64 > threshold;
+        let entries = (0..seqs.len()).map(|nth| object! { "burst" => Json::Bool(is_burst(nth)) }).collect();
+        Case::new(format!("burst/high-threshold/{threshold}"), &["NCP-RES-046", "NCP-RES-049"], &BOTH)
+            .call("link.run", args(Some(0.0), Some(threshold), &seqs))
+            .shows(steps(entries))
+            .title(format!("{gaps} gaps of 256 lost frames are a burst at a threshold of {threshold}."))
+            .flags(&["burst-detector"])
+            .because("The sum may come to twice the threshold, however high that is.")
+    };
+    [(300.5, 4), (1_100.5, 8), (4_200.5, 20), (33_000.5, 130)].map(case).into()
 }
 
 /// Sums that fall below the threshold before they are 0, and rise above it again.
@@ -790,6 +809,23 @@ fn extremes() -> Vec<Case> {
                 ))
                 .flags(&["L09"])
                 .because("The expected seq only moves forward, and a seq from before stays late or a duplicate."),
+        );
+    }
+    // What is lost leaves the integers of the wire, and so does what was expected: their quotient does not.
+    for (name, seqs) in
+        [("from-the-least", vec![-most, most - 991, most - 990]), ("by-halves", vec![-most, -1, 0, most - 1, most])]
+    {
+        let entries = seqs.iter().map(|_| object! { "loss_rate" => within(0.0, 1.0) }).collect();
+        cases.push(
+            Case::new(format!("extreme/rate/{name}"), &["NCP-RES-045", "NCP-RES-044", "NCP-RES-050"], &BOTH)
+                .call("link.run", args(None, None, &seqs))
+                .shows(steps(entries))
+                .title(format!(
+                    "The loss rate stays within 0 and 1 where the counts saturate ({}).",
+                    name.replace('-', " ")
+                ))
+                .flags(&["L09"])
+                .because("`loss_rate` stays within 0 and 1, whatever the counts do."),
         );
     }
     // The rate of nearly all is below 1, also where single precision takes what was expected for less.

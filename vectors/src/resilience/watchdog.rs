@@ -12,7 +12,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(hairs());
     cases.extend(far());
     cases.extend(ttls());
-    for group in ["no-ttl", "zero", "before-any", "clock"] {
+    for group in ["no-ttl", "zero", "before-any", "before-at", "clock"] {
         cases.extend(text.cases(group, row_case)?);
     }
     cases.extend(steps_back());

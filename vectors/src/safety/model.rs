@@ -735,6 +735,9 @@ impl<'a> Governor<'a> {
             return vec![without];
         };
         let mut at = place.to_vec();
+        // Where each step leads that is followed for the whole of its tick, also behind the end of the ttl.
+        let mut ahead = place.to_vec();
+        let mut stays = true;
         let mut start = 0.0;
         let mut kept = 0;
         let mut unusable = false;
@@ -745,6 +748,8 @@ impl<'a> Governor<'a> {
             };
             let share = (ttl - start).clamp(0.0, dt);
             at = after(&at, &velocity, share);
+            ahead = after(&ahead, &velocity, dt);
+            stays &= inside(&ahead, radius * (1.0 - 1e-9));
             if !inside(&at, radius) {
                 if tick == 0 {
                     return vec![Outcome::Hold];
@@ -754,10 +759,8 @@ impl<'a> Governor<'a> {
             kept = tick;
             start += dt;
         }
-        // Where even the boldest horizon stays inside, nobody has a reason to shorten it.
-        #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
-        let reach = enabled(self.limits.speed).map(|most| most * dt / 1000.0 * (horizon.len() + 2) as f64);
-        if kept > 0 && kept == horizon.len() && reach.is_some_and(|reach| norm(place) + reach < radius) {
+        // A horizon of which each step ends inside, those behind the ttl too, is shortened by nobody [NCP-SAFE-021].
+        if kept > 0 && kept == horizon.len() && stays {
             return vec![pass(kept)];
         }
         let mut outcomes: Vec<_> = match pass(kept) {

@@ -606,6 +606,20 @@ fn kept(way: &Way) -> Vec<Case> {
     let nothing = || object! { "horizon" => Json::Array(Vec::new()) };
     let horizon = base().then(100.0, &[[1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]);
     add("horizon".to_owned(), "NCP-SAFE-074", "of a command with a horizon has none".to_owned(), horizon, nothing());
+    // What stands still already, and might pass for the frame that it becomes.
+    let still = || Command::of(vec![velocity(&[0.0; 3])]);
+    for (name, what, command) in [
+        ("still", "channels of zeros", still().then(100.0, &[[1.0, 0.0, 0.0], [2.0, 0.0, 0.0]])),
+        ("all-still", "channels and steps of zeros", still().then(100.0, &[[0.0; 3], [0.0; 3]])),
+        ("no-channels", "no channels", Command::of(Vec::new()).then(100.0, &[[1.0, 0.0, 0.0]])),
+    ] {
+        // Who stands still leaves no fence.
+        if way.name == "leaves-fence" {
+            continue;
+        }
+        let says = format!("of a command with {what} and a horizon has none");
+        add(format!("horizon/{name}"), "NCP-SAFE-074", says, command, nothing());
+    }
     let mut other = base();
     other.horizon = vec![vec![channel("tow", &[1.0], Some(MPS))]];
     other.dt = Some(10.0);

@@ -710,7 +710,7 @@ impl Encoder {
     fn other_pins(&self, frame: &Json, within: &[&str]) -> Vec<Case> {
         const PINS: [(&str, bool); 2] = [("calibrated_posterior", false), ("is_simulation_output", true)];
         let member = |pin: &str| within.iter().copied().chain([pin]).collect::<Vec<_>>().join(".");
-        let of = |name: &str, set: &[(&str, bool)], words: String| {
+        let of = |name: &str, frame: &Json, set: &[(&str, bool)], words: String| {
             let fields = set.iter().fold(self.fields(frame.clone()), |fields, (pin, pinned)| {
                 let path: Vec<&str> = within.iter().copied().chain([*pin]).collect();
                 fields.edit(&path, |_| Json::Bool(!pinned))
@@ -725,10 +725,15 @@ impl Encoder {
                 .because("An encoder does not write a pin with another than its pinned value.")
         };
         let one = |(pin, pinned): (&str, bool)| {
-            of(&format!("{pin}-flipped"), &[(pin, pinned)], format!("whose `{}` is set to {}", member(pin), !pinned))
+            let words = format!("whose `{}` is set to {}", member(pin), !pinned);
+            of(&format!("{pin}-flipped"), frame, &[(pin, pinned)], words)
         };
         let mut cases: Vec<Case> = PINS.map(one).into();
-        cases.push(of("both-flipped", &PINS, "whose pins are both set to what they are not".to_owned()));
+        let both = "whose pins are both set to what they are not";
+        cases.push(of("both-flipped", frame, &PINS, both.to_owned()));
+        // A `session_opened` of that kind is a refusal.
+        let words = format!("{both}, and all other fields to another than their default,");
+        cases.push(of("both-flipped-among-all", &full(self.kind), &PINS, words));
         cases
     }
 

@@ -309,9 +309,16 @@ impl Setup {
         let unusable = step.command.horizon.get(kept).is_some_and(|tick| !self.has_velocity(tick));
         *may_hold |= unusable && enabled(self.speed).is_none();
         let dt = step.command.horizon_dt_ms.unwrap_or(f64::NAN);
-        let reach = enabled(self.speed).map(|most| most * dt / 1000.0 * (step.command.horizon.len() + 2) as f64);
-        let far = step.position().map_or(f64::NAN, |place| norm(&place));
-        if kept > 0 && kept == step.command.horizon.len() && reach.is_some_and(|reach| far + reach < radius) {
+        // A horizon of which each step ends inside, those behind the ttl too, is shortened by nobody [NCP-SAFE-021].
+        let ticks_inside = || {
+            let mut place = step.position()?.to_vec();
+            Some(std::iter::once(&frame.channels).chain(&frame.horizon).all(|tick| {
+                let velocity = tick.get(VELOCITY).map(|channel| channel.data.as_slice()).unwrap_or_default();
+                place = place.iter().zip(velocity).map(|(at, v)| at + v * (dt / 1000.0)).collect();
+                place.len() == 3 && norm(&place) <= radius * (1.0 - 1e-9)
+            }))
+        };
+        if kept > 0 && kept == step.command.horizon.len() && ticks_inside() == Some(true) {
             return;
         }
         // It may look further ahead, and drop more or all of it.
