@@ -232,10 +232,15 @@ pub(super) fn of_zeros(columns: &[(&str, u8, usize)]) -> Text {
 /// The block that an encoder writes of columns of a name, a dtype, so many rows and a character of which all of its
 /// bytes are, as a template: `0` makes the double 1.39e-76.
 pub(super) fn of_runs(columns: &[(&str, u8, usize, char)]) -> Text {
+    of_runs_shifted(columns, 0)
+}
+
+/// The same with the data so many bytes behind where an encoder puts it.
+pub(super) fn of_runs_shifted(columns: &[(&str, u8, usize, char)], shift: usize) -> Text {
     let columns: Vec<_> = columns.iter().filter(|(_, _, rows, _)| *rows > 0).collect();
     let names: String = columns.iter().map(|(name, ..)| *name).collect();
     let mut name_at = HEADER + ENTRY * columns.len();
-    let begin = (name_at + names.len()).next_multiple_of(8);
+    let begin = (name_at + names.len()).next_multiple_of(8) + shift;
     let mut data_at = begin;
     let mut directory = Vec::new();
     let mut data = Vec::new();

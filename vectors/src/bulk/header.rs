@@ -1,6 +1,6 @@
 //! The header, field by field, and the length of the whole.
 
-use super::build::{Block, HEADER, f32s, golden, le16, le32};
+use super::build::{Block, HEADER, f32s, golden, i32s, le16, le32};
 use super::{READERS, decode, read, rejected};
 use crate::case::{Case, File};
 use crate::json::Json;
@@ -71,6 +71,13 @@ fn magic_version_flags() -> Vec<Case> {
             .flags(&["unchecked-header"])
             .because("No flag has a meaning, so none may be set.")
     }));
+    // Both bytes read as one number, in the other byte order.
+    cases.push(
+        rejected("version/0-of-flags-1", &["NCP-BULK-003", "NCP-BULK-004"], &golden.patched(4, &[0, 1]))
+            .title("A block of version 0 with the flags 1 is rejected.")
+            .flags(&["unchecked-header"])
+            .because("The version is 1, and no flag has a meaning."),
+    );
     cases
 }
 
@@ -107,6 +114,27 @@ fn lengths() -> Vec<Case> {
                 .flags(&["trailing-input"])
                 .because("The field total_len is not the length of the buffer."),
         );
+    }
+    // Zeros that fill a buffer up to a multiple of its word.
+    for rows in 1..=4_usize {
+        let block = Block::new([i32s("v", vec![7; rows])]).bytes();
+        for word in [8, 16] {
+            let filled = block.len().next_multiple_of(word);
+            if filled == block.len() || (word == 16 && filled == block.len().next_multiple_of(8)) {
+                continue;
+            }
+            let mut bytes = block.clone();
+            bytes.resize(filled, 0);
+            cases.push(
+                rejected(format!("trailing/to-a-multiple-of-{word}/{rows}-rows"), &["NCP-BULK-005"], &bytes)
+                    .title(format!(
+                        "A block of {} bytes that zeros fill up to {filled} bytes is rejected.",
+                        block.len()
+                    ))
+                    .flags(&["trailing-input"])
+                    .because("The field total_len is not the length of the buffer."),
+            );
+        }
     }
     let cuts = [
         (HEADER, "header"),

@@ -1,6 +1,6 @@
 //! Values of every dtype, wherever they lie.
 
-use super::build::{Block, Column, f32s, f64s, i32s, i64s, of_zeros};
+use super::build::{Block, Column, f32s, f64s, i32s, i64s, of_runs_shifted, of_zeros};
 use super::{READERS, decode, many, read, read_if_at_all};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
@@ -128,6 +128,18 @@ fn unaligned() -> Vec<Case> {
         }
     }
     cases.extend(unaligned_extremes());
+    // More than a reader may have set aside to move a column into.
+    let (rows, byte) = (131_073, '1');
+    let value = many(Json::literal(format!("{:?}", f64::from_bits(u64::from_ne_bytes([byte as u8; 8])))), rows);
+    let columns = Json::Array(vec![object! { "name" => "v", "dtype" => "f64", "data" => value }]);
+    cases.push(
+        Case::new("unaligned/longer-than-1-mib", &["NCP-BULK-018", "NCP-BULK-025"], READERS)
+            .call("bulk.decode", object! { "block" => of_runs_shifted(&[("v", 2, rows, byte)], 1) })
+            .gives(object! { "columns" => columns })
+            .title(format!("A column of {rows} rows of f64 that begins at the offset 33 is read."))
+            .flags(&["alignment"])
+            .because("A column may begin at any offset, however long it is."),
+    );
     cases
 }
 
@@ -160,6 +172,7 @@ fn unaligned_extremes() -> Vec<Case> {
 /// Gaps and orders.
 fn layouts() -> Vec<Case> {
     let columns = || [f64s("a", [1.5]), i32s("b", [2]), f32s("c", [3.5])];
+    let equals = || [f64s("a", [1.5, 2.5]), f64s("b", [3.5, 4.5]), f64s("c", [5.5, 6.5]), f64s("d", [7.5, 8.5])];
     let names = [60, 61, 62];
     let table: Vec<(&str, &'static str, Block, &str)> = vec![
         (
@@ -203,6 +216,30 @@ fn layouts() -> Vec<Case> {
             "NCP-BULK-020",
             Block::new(columns()).laid_out(&names, &[64, 72, 5_080], 5_084),
             "with 5,000 bytes before the last column",
+        ),
+        (
+            "gap-between-equals",
+            "NCP-BULK-020",
+            Block::new(equals()).laid_out(&[76, 77, 78, 79], &[80, 96, 120, 136], 152),
+            "whose equal columns lie at unequal distances",
+        ),
+        (
+            "gap-of-7-between-equals",
+            "NCP-BULK-020",
+            Block::new(equals()).laid_out(&[76, 77, 78, 79], &[80, 96, 119, 135], 151),
+            "with seven bytes between two pairs of equal columns",
+        ),
+        (
+            "equals-in-reverse",
+            "NCP-BULK-021",
+            Block::new(equals()).laid_out(&[76, 77, 78, 79], &[128, 112, 96, 80], 144),
+            "whose equal columns lie in reverse",
+        ),
+        (
+            "equals-by-turns",
+            "NCP-BULK-021",
+            Block::new(equals()).laid_out(&[76, 77, 78, 79], &[96, 80, 128, 112], 144),
+            "whose equal columns lie by turns",
         ),
         (
             "gap-of-ff",

@@ -74,7 +74,7 @@ fn precisely(x: f64, from: [f64; 2], to: [f64; 2]) -> Json {
 /// by a few roundings only.
 ///
 /// The last four are ranges of which the quotient of lengths is no normal double, though every step of the formula is.
-const PRECISE: [(&str, f64, [f64; 2], [f64; 2]); 13] = [
+const PRECISE: [(&str, f64, [f64; 2], [f64; 2]); 15] = [
     ("far-from-zero", 1_000_000.3, [1_000_000.0, 1_000_000.7], [0.0, 1.0]),
     ("far-below-zero", -4_000_000.4, [-4_000_000.9, -4_000_000.2], [-1.0, 1.0]),
     ("far-and-downwards", 70_000.1, [70_000.0, 70_000.3], [1.0, 0.0]),
@@ -86,6 +86,8 @@ const PRECISE: [(&str, f64, [f64; 2], [f64; 2]); 13] = [
     ("from-a-small-range", 1.7e-9, [0.0, 3e-9], [0.0, 200.0]),
     ("from-huge-to-tiny", 3.1e299, [0.0, 9e299], [0.0, 7e-20]),
     ("from-huge-to-tiny-signed", -2.3e150, [-7e150, 7e150], [-3e-160, 3e-160]),
+    ("from-tiny-to-tiny", 1.1e-200, [0.0, 3e-200], [0.0, 7e-120]),
+    ("from-small-to-small", 1.23e-170, [-3e-170, 3e-170], [-7e-150, 3e-150]),
     ("from-tiny-to-huge", 1.1e-200, [0.0, 3e-200], [0.0, 7e120]),
     ("from-tiny-to-huge-signed", -2.3e-160, [-7e-160, 7e-160], [-3e150, 3e150]),
 ];

@@ -28,6 +28,8 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(open_questions());
     cases.extend(refused());
     cases.push(refused_often());
+    cases.push(refused_alike());
+    cases.push(unnamed());
     cases.extend(refused_anew());
     cases.push(opened_equally());
     cases.push(opened_over_and_over());
@@ -278,6 +280,30 @@ fn refused_often() -> Case {
         .title(format!("A session is opened behind {MANY} openings that were refused."))
         .flags(&["session-lifecycle"])
         .because("An opening that is refused takes nothing of what a server bears.")
+}
+
+/// Openings of a version that fits no server, of which the last is refused like the first.
+fn refused_alike() -> Case {
+    const MANY: usize = 1_100;
+    let request = Open::lif("b").json().with("ncp_version", beside(-1).into()).text();
+    let trace = std::iter::repeat_n((request, not_opened("b")), MANY).collect();
+    case("version/often".to_owned(), &["NCP-SESS-023"], trace)
+        .title(format!("Each of {MANY} openings of an older version is refused by a `session_opened`."))
+        .flags(&["lenient-versions"])
+        .because("A server answers each such `open_session` with a `session_opened` in which `ok` is false.")
+}
+
+/// A request whose session is none that a server could name: the error frame names it as it stands there, or nothing.
+fn unnamed() -> Case {
+    let long = "s".repeat(300);
+    let names = |id: Json| text_of(object! { "kind" => "error", "session_id" => id });
+    let nothing = text_of(exactly(object! { "kind" => "error", "error" => some_text() }));
+    let answer = any(vec![names(Json::Null), names("".into()), names(long.as_str().into()), nothing]);
+    let request = object! { "kind" => "step_request", "session_id" => long.as_str() };
+    case("malformed/session-too-long".to_owned(), &["NCP-WIRE-045"], vec![(request.text(), answer)])
+        .by("/replies/0/kind", "NCP-SESS-021")
+        .title("The error frame for a session id of 300 bytes has no name of the server's own for it.")
+        .because("A sender writes no placeholder of its own for a value that it does not know.")
 }
 
 /// An `open_session` of an open id that a server refuses for its network ends nothing.

@@ -11,6 +11,7 @@ use ncp_text::tables::tables;
 pub(super) fn file() -> File {
     let mut cases = unknown_kinds();
     cases.extend(other_kinds());
+    cases.extend(behind_the_expected());
     cases.extend(versions());
     let about = "Frames of an unknown kind, frames of another kind than the expected one, and versions, which \
                  decoding keeps as they are.";
@@ -87,6 +88,44 @@ fn other_kinds() -> Vec<Case> {
                     .decode(expected, frame.text())
                     .rejects("kind")
                     .because("The kind is a known one, and not the expected one."),
+            );
+        }
+    }
+    cases
+}
+
+/// Frames of another kind, before which the expected one stands somewhere within.
+fn behind_the_expected() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for expected in kinds() {
+        let all: Vec<_> = kinds().collect();
+        let at = all.iter().position(|kind| *kind == expected).unwrap_or_default();
+        let other = twin(expected).or(all.get((at + 1) % all.len()).copied()).unwrap_or_default();
+        let within = [
+            ("object", Json::object().with("kind", expected.into()), "an object that has the expected one"),
+            ("text", Json::string(format!("\"kind\":\"{expected}\"")), "a text that holds the expected one"),
+        ];
+        for (name, novel, words) in within {
+            let frame = full(expected)
+                .members()
+                .iter()
+                .filter(|(name, _)| name != "kind")
+                .fold(Json::object().with("novel", novel).with("kind", other.into()), |frame, (name, value)| {
+                    frame.and(name, value.clone())
+                });
+            let frame = minimal(other).members().iter().fold(frame, |frame, (name, value)| {
+                if frame.get(name).is_some() { frame } else { frame.and(name, value.clone()) }
+            });
+            cases.push(
+                Case::new(format!("{expected}/behind/{name}"), &["NCP-WIRE-030"], readers(expected))
+                    .title(format!(
+                        "{} is rejected where a `{expected}` is expected, though {words} stands before its kind.",
+                        a(other)
+                    ))
+                    .flags(&["kind-confusion"])
+                    .decode(expected, frame.text())
+                    .rejects("kind")
+                    .because("The kind of a frame is its own member `kind`, and nothing within another member."),
             );
         }
     }

@@ -323,7 +323,7 @@ pub(super) const MORE_MISSPELLED: [Integer; 6] = [
 pub(super) const BEYOND: [Integer; 1] = [("two-to-53", "9007199254740992")];
 
 /// More of them.
-pub(super) const MORE_BEYOND: [Integer; 7] = [
+pub(super) const MORE_BEYOND: [Integer; 10] = [
     ("minus-two-to-53", "-9007199254740992"),
     ("int64-largest", "9223372036854775807"),
     ("int64-smallest", "-9223372036854775808"),
@@ -331,6 +331,9 @@ pub(super) const MORE_BEYOND: [Integer; 7] = [
     ("two-to-64", "18446744073709551616"),
     ("two-to-64-plus-1", "18446744073709551617"),
     ("thirty-digits", "100000000000000000000000000000"),
+    ("two-to-128-plus-7", "340282366920938463463374607431768211463"),
+    ("minus-two-to-128-minus-7", "-340282366920938463463374607431768211463"),
+    ("two-to-256-plus-7", "115792089237316195423570985008687907853269984665640564039457584007913129639943"),
 ];
 
 /// What tells a spelling: the double is the one that the digits name.

@@ -63,6 +63,8 @@ pub(super) fn file() -> File {
     cases.extend(time::short_steps());
     cases.extend(time::long_steps());
     cases.extend(sessions::one_name_both_ways());
+    cases.extend(sessions::ids_within());
+    cases.extend(stimuli::nearly_runs());
     cases.extend(sessions::of_all_names());
     cases.extend(sessions::opened_otherwise());
     cases.extend(sessions::room());

@@ -9,7 +9,7 @@ use crate::session::{
     Open, close, error, not_opened, observation, observed, opened, record, recorded, reference, replies, run, step,
     stimulus,
 };
-use crate::trace::{any, anything, nums};
+use crate::trace::{any, anything, exactly, nums};
 
 /// Networks whose parameters have the same values under other names are others.
 pub(super) fn same_values() -> Case {
@@ -286,6 +286,27 @@ pub(super) fn alike() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Sessions of which one id is the beginning of the other, up to what may stand between the parts of a path.
+pub(super) fn ids_within() -> Vec<Case> {
+    let after = simulate(&[], 1.0, 5, 0.0).1.last().copied().unwrap_or_default();
+    let case = |(name, between): (&str, &str)| {
+        let (one, other) = ("uav", format!("uav{between}left"));
+        let open = |id: &str, port: &str| {
+            let open = Open { records: vec![record(port, "V_m", 5.0)], ..Open::lif(id) };
+            (open.text(), opened(id))
+        };
+        let records = |port: &str| exactly(object! { port => samples(&[5.0], Some(&[after])) });
+        let steps = |id: &str, port: &str| (step(id, Some(5.0), None), recorded(id, records(port)));
+        let trace = vec![open(one, "v"), open(&other, "w"), steps(&other, "w"), steps(one, "v")];
+        reference(format!("alike/ids-within/{name}"), &["NCP-SESS-038", "NCP-SESS-035"], trace)
+            .title(format!("The observations of the session `{one}` have no port of the session `{other}`."))
+            .because("An observation has the ports of its own session, whose id is its letters.")
+    };
+    [("dot", "."), ("hyphen", "-"), ("colon", ":"), ("underscore", "_"), ("comma", ","), ("bar", "|"), ("letters", "x")]
+        .map(case)
+        .into()
 }
 
 /// A stimulus port that has the name of a recorded one: each has the neurons that it names.

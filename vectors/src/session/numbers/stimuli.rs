@@ -10,6 +10,7 @@ use crate::trace::nums;
 pub(super) fn stimuli() -> Vec<Case> {
     let mut cases = currents();
     cases.push(current_of_no_step());
+    cases.extend(currents_behind_no_step());
     cases.extend(of_one_sum());
     cases.push(of_one_sum_at_rest());
     cases.extend(frames_of_no_port());
@@ -107,6 +108,31 @@ fn current_of_no_step() -> Case {
     reference("stimulus/of-no-step".to_owned(), &["NCP-SESS-054", "NCP-SESS-058"], trace)
         .title("A current that comes with a request of no step acts from the next step.")
         .because(WHY)
+}
+
+/// Currents that come with a request of no step, before others for the same port and for another.
+fn currents_behind_no_step() -> [Case; 2] {
+    let open = || Open {
+        records: vec![record("v", "V_m", 1.0)],
+        stimuli: vec![stimulus("in", "current_pA"), stimulus("more", "current_pA")],
+        ..Open::lif("a")
+    };
+    let case = |(name, port, current, words): (&str, &str, f64, &str)| {
+        let (times, values, _) = simulate(&[], 1.0, 5, current);
+        let trace = vec![
+            (open().text(), opened("a")),
+            (step("a", Some(0.25), Some(("in", 300.0))), observed("a", 0.0)),
+            (
+                step("a", Some(5.0), Some((port, 100.0))),
+                recorded("a", object! { "v" => samples(&times, Some(&values)) }),
+            ),
+        ];
+        reference(format!("stimulus/behind-no-step/{name}"), &["NCP-SESS-054", "NCP-SESS-036"], trace)
+            .title(format!("A current that comes behind one with a request of no step {words}."))
+            .because(WHY)
+    };
+    [("same-port", "in", 100.0, "takes its place"), ("another-port", "more", 400.0, "for another port acts beside it")]
+        .map(case)
 }
 
 /// Two neurons, each with a port that drives it and one that records it so often.
@@ -259,6 +285,36 @@ pub(super) fn reach() -> Vec<Case> {
             )
         })
         .collect()
+}
+
+/// Long lists of ids whose ends and length are those of a run, and which are none.
+pub(super) fn nearly_runs() -> Vec<Case> {
+    let after = |current: f64| simulate(&[], 1.0, 5, current).1.last().copied().unwrap_or_default();
+    let list = |ids: &[u32]| ids.iter().copied().collect::<Json>();
+    let case = |length: u32| {
+        // The second of them lies beyond the last.
+        let far = length + 10;
+        let ids: Vec<u32> = (1..=length).map(|id| if id == 2 { far } else { id }).collect();
+        let asked = [1, 2, 3, length, length + 1, far];
+        let open = Open {
+            size: far,
+            records: vec![record("v", "V_m", 5.0).with("ids", list(&asked))],
+            stimuli: vec![stimulus("in", "current_pA").with("ids", list(&ids))],
+            ..Open::lif("a")
+        };
+        let values = asked.map(|id| after(if ids.contains(&id) { 300.0 } else { 0.0 }));
+        let v = object! { "values" => nums(&values), "senders" => list(&asked) };
+        let trace = vec![
+            (open.text(), opened("a")),
+            (step("a", Some(5.0), Some(("in", 300.0))), recorded("a", object! { "v" => v })),
+        ];
+        reference(format!("reach/nearly-a-run/{length}"), &["NCP-SESS-055", "NCP-SESS-052"], trace)
+            .title(format!(
+                "A stimulus of {length} ids from 1 to {length}, of which one is {far} and none is 2, reaches just those."
+            ))
+            .because("A stimulus reaches each of the neurons that its `ids` name, and no others.")
+    };
+    [3, 8, 40, 300].map(case).into()
 }
 
 /// A stimulus stays however many requests come without one, and however long they run.
