@@ -257,6 +257,15 @@ impl Builder {
             ("second-dot-dot", "a/../c", "has the second segment `..`", "NCP-KEY-014"),
             ("second-dot", "a/./c", "has the second segment `.`", "NCP-KEY-014"),
             ("last-nul", "a/b\u{0}", "has a second segment that ends with U+0000", "NCP-KEY-015"),
+            ("line-slash-twice", "a\u{2028}/b//c", "holds two slashes side by side behind U+2028", "NCP-KEY-010"),
+            ("line-slash-last", "a\u{2029}b/", "ends with a slash behind U+2029", "NCP-KEY-010"),
+            (
+                "next-line-slash-twice",
+                "\u{e9}\u{2028}//c",
+                "holds two slashes side by side behind U+00E9 and U+2028",
+                "NCP-KEY-010",
+            ),
+            ("wide-slash-last", "\u{1f681}/", "ends with a slash behind U+1F681", "NCP-KEY-010"),
         ];
         let shown = if is_whole { parts.len() } else { 3 };
         for (what, realm, says, rule) in parts.into_iter().take(shown) {
@@ -383,6 +392,17 @@ impl Builder {
             );
         }
         if self.takes_session {
+            // The same in the realm that nobody names.
+            let long = "s".repeat(256);
+            let name = self.takes_name.then(|| "n".repeat(256));
+            cases.push(
+                self.case("realm/long/default-realm", &["NCP-KEY-006", "NCP-KEY-020", self.rule])
+                    .title(format!("The `{}` key is built in the default realm of segments of 256 bytes.", self.key))
+                    .flags(&["segment-length"])
+                    .call("key.build", self.args(None, &long, name.as_deref()))
+                    .gives(object! { "key" => self.expected(None, &long, name.as_deref()) })
+                    .because("The default realm is `ncp`, however long the key is."),
+            );
             // Everything as long as it may be.
             let (realm, long) = (realm_of(1025), "s".repeat(256));
             let name = self.takes_name.then(|| "n".repeat(256));

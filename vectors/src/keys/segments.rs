@@ -101,6 +101,14 @@ pub(crate) fn refused() -> Vec<Segment> {
             "bytes-not-characters",
         ),
     ]);
+    // What a message about them takes for a format, a template or a pattern.
+    for (name, text, says) in [
+        ("percent-of-257", "%s%d%n%(a)s".to_owned() + &"%".repeat(246), "has 257 bytes, among them `%s%d%n`"),
+        ("braces-of-257", "{0}{a}{".to_owned() + &"{".repeat(250), "has 257 bytes, among them `{0}`"),
+        ("backslashes-of-257", "\\1\\x\\u".to_owned() + &"\\".repeat(251), "has 257 bytes, among them `\\1`"),
+    ] {
+        all.push(segment(name, text, says, "NCP-KEY-017", "segment-length"));
+    }
     all.extend(too_long().map(|(name, text, says)| segment(name, text, says, "NCP-KEY-017", "bytes-not-characters")));
     all
 }

@@ -19,9 +19,16 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     })?;
     cases.extend(long());
     cases.extend(accepted());
-    cases.extend(text.cases("refused", |row| {
-        Ok(case(row, Some("lab"), Json::read(row.cell("verb")?).as_str().unwrap_or_default()).rejects("key"))
-    })?);
+    // Each in a realm of one segment, and in one of several.
+    for row in text.rows("refused")? {
+        let verb = Json::read(row.cell("verb")?);
+        let verb = verb.as_str().unwrap_or_default();
+        cases.push(case(&row, Some("lab"), verb).rejects("key"));
+        let mut other = row.clone();
+        other.path = format!("{}/in-a-realm-of-two", row.path);
+        other.title = row.title.replace("strict control key of", "strict control key in the realm `engram/ncp` of");
+        cases.push(case(&other, Some("engram/ncp"), verb).rejects("key"));
+    }
     cases.extend(text.rest(|row| Ok(case(row, Some(row.cell("realm")?), "step_request").rejects("key")))?);
     cases.extend(refused());
     let about = "The control keys of the strict profile: one for each kind of request, and none for anything else.";

@@ -114,6 +114,9 @@ impl Encoder {
 
     /// Long arrays of which one item is of another size or spelling than all before it.
     fn wide(&self) -> Vec<Case> {
+        if self.kind == "capabilities" {
+            return vec![self.many_strings()];
+        }
         if self.kind != "observation_frame" {
             return Vec::new();
         }
@@ -149,7 +152,53 @@ impl Encoder {
                 .means(text)
                 .because("How one item of an array is written does not depend on another, nor on how many there are.")
         };
-        table.map(case).into()
+        let mut cases: Vec<Case> = table.map(case).into();
+        cases.push(self.long_train());
+        cases
+    }
+
+    /// As many spikes as fill more than 16 bits, and the pins behind them.
+    fn long_train(&self) -> Case {
+        let times = 70_000;
+        let spike = object! { "times" => Json::literal(LONG), "senders" => Json::literal(SHORT) };
+        let record = spike
+            .members()
+            .iter()
+            .fold(explicit_message("Observation"), |record, (name, value)| record.with(name, value.clone()));
+        let frame = explicit(self.kind).with("records", object! { "a" => record.clone() });
+        let frame = meaning(self.kind, &frame).text();
+        let (before, rest) = frame.split_once(LONG).unwrap_or((&frame, ""));
+        let (between, after) = rest.split_once(SHORT).unwrap_or((rest, ""));
+        let list = |item: &str| [Text::repeat(format!("{item},"), times - 1), item.into()];
+        let parts = [vec![format!("{before}[").into()], list("0.5").into(), vec![format!("]{between}[").into()]];
+        let text = Text::concat(
+            parts.into_iter().flatten().chain(list("7")).chain([format!("]{after}").into()]).collect::<Vec<_>>(),
+        );
+        let items = |item: &str| {
+            Json::Array(vec![object! { "$item" => Json::literal(item), "times" => Json::literal(times.to_string()) }])
+        };
+        let record = record.with("times", items("0.5")).with("senders", items("7"));
+        let fields = self.fields(explicit(self.kind)).with("records", object! { "a" => record });
+        self.case("large/spikes", &[WRITE, "NCP-WIRE-081", "NCP-PROV-007"])
+            .by("/is_simulation_output", "NCP-PROV-007")
+            .by("/calibrated_posterior", "NCP-PROV-007")
+            .title(format!("{} with {times} spikes is written with all of them, and with its pins.", a(self.kind)))
+            .flags(&["low-limits"])
+            .encode(self.kind, fields)
+            .writes(text)
+            .by("order", "NCP-WIRE-080")
+            .because("An encoder writes every field of every message, however long it is.")
+    }
+
+    /// More strings of an enum than a byte counts.
+    fn many_strings(&self) -> Case {
+        let kinds = || (0..300).map(|nth| object! { "kind" => format!("k{nth}") }).collect::<Json>();
+        self.case("large/kinds-of-channels", &["NCP-WIRE-087", WRITE])
+            .title("A `capabilities` frame with 300 channels of as many kinds is written with the kind of each.")
+            .flags(&["lost-fields"])
+            .encode(self.kind, self.fields(explicit(self.kind)).with("sensor_channels", kinds()))
+            .shows(object! { "text" => object! { "$json" => object! { "sensor_channels" => kinds() } } })
+            .because("A string of an enum is written as it is, however many others there are.")
     }
 
     /// Only what must be set, everything, everything but what is optional.
@@ -1004,6 +1053,9 @@ const WIDE: &[(&str, &str, usize, &str)] =
 
 /// Stands for a string that is written as a template.
 const LONG: &str = "%LONG%";
+
+/// Stands for another one.
+const SHORT: &str = "%SHORT%";
 
 /// How many entries a large map of that kind has: as many as it may have where an entry is small, and fewer elsewhere,
 /// since they have to be written out.

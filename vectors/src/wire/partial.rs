@@ -6,7 +6,7 @@ use crate::case::{Case, File};
 use crate::json::Json;
 use crate::model::{self, meaning};
 use crate::roles::{a, readers, writers};
-use ncp_text::tables::{Default, Field};
+use ncp_text::tables::{Default, Field, Shape};
 
 pub(super) fn file() -> File {
     let nested = Place::nested().into_iter().filter(|place| !place.is_twin() && place.message.kind.is_none());
@@ -31,14 +31,59 @@ fn read(place: &Place) -> Vec<Case> {
             .decode(place.kind, frame.text())
             .means(place.meaning(&frame))
             .because("What is absent is read as its default, whatever stands beside it.");
+        let case =
+            place.message.fields.iter().fold(case, |case, field| match rule_of_absence(place.kind, &field.name) {
+                Some(rule) => case.by(place.pointer(&field.name), rule),
+                None => case,
+            });
         share.iter().fold(case, |case, field| case.by(place.pointer(&field.name), READ))
     };
-    shares(place).into_iter().enumerate().map(of_share).collect()
+    shares(place).into_iter().enumerate().map(of_share).chain(like_strings(place)).collect()
+}
+
+/// Enums that are absent beside strings that are strings of theirs.
+fn like_strings(place: &Place) -> Vec<Case> {
+    let enums = place.message.fields.iter().filter(|field| matches!(field.shape, Shape::Enum(_)));
+    let may_say = |field: &&Field| {
+        field.shape == Shape::String
+            && !matches!(field.name.as_str(), "kind" | "session_id" | "ncp_version" | "contract_hash")
+    };
+    let strings: Vec<&Field> = place.message.fields.iter().filter(may_say).collect();
+    let case = |field: &Field| {
+        let value = model::sample(place.message, field);
+        let message = strings
+            .iter()
+            .fold(place.alone(Ground::Minimal), |message, string| message.with(&string.name, value.clone()));
+        let frame = place.frame(Ground::Explicit, message);
+        let members = place.label();
+        let members = members.strip_prefix(place.kind).unwrap_or("/");
+        Case::new(
+            format!("{}/read{members}like-{}", place.kind, field.name),
+            &["NCP-WIRE-023", READ],
+            readers(place.kind),
+        )
+        .title(format!(
+            "{} whose `{}` is absent, and each of whose strings is {}, is read with its default.",
+            says(place),
+            field.name,
+            value.text()
+        ))
+        .flags(&["wrong-defaults"])
+        .decode(place.kind, frame.text())
+        .means(place.meaning(&frame))
+        .because("What is absent is read as its default, whatever stands beside it.")
+    };
+    if strings.is_empty() { Vec::new() } else { enums.map(case).collect() }
 }
 
 fn written(place: &Place) -> Vec<Case> {
     let of_share = |(nth, share): (usize, Vec<&Field>)| {
         let frame = named(place, &share);
+        let defaults = || {
+            let absent = place.message.fields.iter().filter(|field| frame.get(&field.name).is_none());
+            absent.filter_map(|field| Some((&field.name, program_default(place.kind, &field.name)?)))
+        };
+        let said = defaults().fold(frame.clone(), |said, (name, (value, _))| said.with(name, value.into()));
         let case =
             Case::new(format!("{}/written/{}", place.kind, nth + 1), &["NCP-WIRE-090", WRITE], writers(place.kind))
                 .title(format!(
@@ -48,8 +93,9 @@ fn written(place: &Place) -> Vec<Case> {
                 ))
                 .flags(&["wrong-defaults"])
                 .encode(place.kind, encode::fields(place.message, frame.clone()))
-                .means(meaning(place.kind, &frame).text())
+                .means(meaning(place.kind, &said).text())
                 .because("What a program leaves out has the default of the table, whatever it names beside it.");
+        let case = defaults().fold(case, |case, (name, (_, rule))| case.by(place.pointer(name), rule));
         share.iter().fold(case, |case, field| case.by(place.pointer(&field.name), WRITE))
     };
     if place.kind == "error" { Vec::new() } else { shares(place).into_iter().enumerate().map(of_share).collect() }
@@ -57,15 +103,27 @@ fn written(place: &Place) -> Vec<Case> {
 
 /// The message that names these fields, beside what it has to name.
 fn named(place: &Place, share: &[&Field]) -> Json {
-    let fixed = place.message.fields.iter().filter(|field| is_program_default(place, field));
-    share.iter().copied().chain(fixed).fold(place.alone(Ground::Minimal), |message, field| {
+    share.iter().fold(place.alone(Ground::Minimal), |message, field| {
         message.with(&field.name, model::sample(place.message, field))
     })
 }
 
-/// Whether a program that leaves the field out gets another value than a receiver that does not find it: named always.
-fn is_program_default(place: &Place, field: &Field) -> bool {
-    field.name == "contract_hash" || (place.kind == "command_frame" && field.name == "mode")
+/// What an encoder says of a field that a program leaves out, and by which rule, where that is not the table's default.
+fn program_default(kind: &str, name: &str) -> Option<(&'static str, &'static str)> {
+    match (kind, name) {
+        (_, "contract_hash") => Some((model::CONTRACT_HASH, "NCP-WIRE-089")),
+        ("command_frame", "mode") => Some(("active", "NCP-WIRE-088")),
+        _ => None,
+    }
+}
+
+/// The rule by which a receiver reads a field that is absent, where it is one of its own.
+fn rule_of_absence(kind: &str, name: &str) -> Option<&'static str> {
+    match (kind, name) {
+        (_, "contract_hash") => Some("NCP-WIRE-025"),
+        ("command_frame", "mode") => Some("NCP-WIRE-024"),
+        _ => None,
+    }
 }
 
 /// Shares of the fields that may be absent, such that of any two fields each is in one that the other is not in.
@@ -74,7 +132,6 @@ fn shares(place: &Place) -> Vec<Vec<&'static Field>> {
         !matches!(field.default, Default::Kind | Default::Required)
             && field.name != "ncp_version"
             && !model::is_pin(&field.name)
-            && !is_program_default(place, field)
     };
     let fields: Vec<&Field> = place.message.fields.iter().filter(may_be_absent).collect();
     // As many shares as there have to be for each field to be in another pair of them.

@@ -110,6 +110,12 @@ fn observation_sizes() -> Vec<Case> {
             .decode(kind, padded(&minimal(kind).text(), OBSERVATION + 1, "x"))
             .rejects("limit")
             .because("An `observation_frame` may have 64 MiB, and this one has a byte more."),
+        Case::new(format!("{kind}/size/beyond-limit-of-two"), &["NCP-WIRE-062"], readers(kind))
+            .title("An `observation_frame` of more than 64 MiB, most of it characters of two bytes, is rejected.")
+            .flags(&["bytes-not-characters", "slow"])
+            .decode(kind, padded(&minimal(kind).text(), OBSERVATION + 64, "\u{e9}"))
+            .rejects("limit")
+            .because("An `observation_frame` may have 64 MiB, and bytes count, not characters."),
     ]
 }
 
