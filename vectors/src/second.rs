@@ -164,6 +164,7 @@ fn specs(list: &Json) -> Option<Vec<Spec>> {
             kind: ["scalar", "vec3", "quat", "array"].into_iter().find(|known| *known == kind)?,
             unit: spec.get("unit").and_then(Json::as_str).map(str::to_owned),
             size: spec.get("size").and_then(integer),
+            optional: spec.get("optional").map(|optional| *optional == Json::Bool(true)),
         })
     };
     items(list)?.iter().map(spec).collect()
@@ -180,9 +181,11 @@ fn step(step: &Json) -> Option<Step> {
             };
             let sensor = match step.get("sensor")? {
                 Json::Null => None,
-                sensor => {
-                    Some(Sensor { t: double(sensor.get("t")?)?, channels: channels(sensor.get("channels")?, double)? })
-                }
+                sensor => Some(Sensor {
+                    seq: sensor.get("seq").and_then(integer).unwrap_or_default(),
+                    t: double(sensor.get("t")?)?,
+                    channels: channels(sensor.get("channels")?, double)?,
+                }),
             };
             Step::Govern {
                 command: command(step.get("command")?, double)?,

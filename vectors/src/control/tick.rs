@@ -835,6 +835,25 @@ fn periods() -> Vec<Case> {
             .because("The loop refuses to start without a finite, positive period.")
         })
         .collect();
+    // Limits that hold every command are no reason to start.
+    for (name, limits) in
+        [("fault", object! { "max_speed_mps" => num(-1.0) }), ("fence", object! { "geofence_radius_m" => num(5.0) })]
+    {
+        for period in [0.0, -50.0, f64::NAN] {
+            cases.push(
+                run(
+                    format!("period/{}/{name}", name_of(period)),
+                    &["NCP-CTRL-010"],
+                    period,
+                    limits.clone(),
+                    vec![arrives(1, 1.0), moves(1, 1.0)],
+                )
+                .rejects("value")
+                .title(format!("A loop with a period of {} ms does not start, under limits ({name}).", name_of(period)))
+                .because("The loop refuses to start without a finite, positive period, whatever its governor does."),
+            );
+        }
+    }
     let refused = [("kp", f64::NAN), ("kd", -1.0), ("max_speed", f64::INFINITY)];
     cases.extend(refused.into_iter().map(|(name, value)| {
         run_with(

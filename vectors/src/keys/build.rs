@@ -18,6 +18,7 @@ pub(super) fn files() -> Result<Vec<File>, ScenarioError> {
     let some = builders.iter().filter(|builder| matches!(builder.key, "rpc" | "sensor" | "fleet_glob"));
     let mut realms: Vec<Case> = some.flat_map(Builder::realms).collect();
     let others = builders.iter().filter(|builder| !matches!(builder.key, "rpc" | "sensor" | "fleet_glob"));
+    realms.extend(builders.iter().flat_map(Builder::like_a_key));
     realms.extend(others.enumerate().flat_map(|(road, builder)| builder.few_realms(road)));
     realms.extend(builders.iter().flat_map(Builder::long));
     realms.extend(builders.iter().filter(|builder| builder.key == "rpc").flat_map(Builder::far));
@@ -338,6 +339,28 @@ impl Builder {
             );
         }
         cases
+    }
+
+    /// In realms that read like the rest of a key.
+    fn like_a_key(&self) -> Vec<Case> {
+        let table = [
+            ("session", "session/uav3/sensor"),
+            ("sensor", "lab/uav3/sensor/front"),
+            ("rpc", "ncp/rpc"),
+            ("command", "uav3/command"),
+        ];
+        let case = |(what, realm): (&str, &str)| {
+            self.case(&format!("realm/like-a-key/{what}"), &[self.rule, "NCP-KEY-018", "NCP-KEY-007"])
+                .title(format!(
+                    "The `{}` key is built in the realm `{realm}`, which reads like the rest of a key.",
+                    self.key
+                ))
+                .flags(&["changed-segments"])
+                .call("key.build", self.args(Some(realm), "uav3", None))
+                .gives(object! { "key" => self.expected(Some(realm), "uav3", None) })
+                .because("A realm is the beginning of the key, whatever its segments are.")
+        };
+        table.map(case).into()
     }
 
     /// A few realms that are refused, others for each builder, alone or behind a segment that is not.

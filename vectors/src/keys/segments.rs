@@ -257,7 +257,7 @@ pub(crate) fn accepted() -> Vec<Segment> {
 }
 
 /// Segments that read as something that has another spelling as well: each stays as it is.
-const SPELLED: [(&str, &str, &str); 16] = [
+const SPELLED: [(&str, &str, &str); 21] = [
     ("uuid-in-capitals", "6BA7B810-9DAD-11D1-80B4-00C04FD430C8", "is a UUID in capitals"),
     ("uuid-without-hyphens", "6ba7b8109dad11d180b400c04fd430c8", "is a UUID without hyphens"),
     ("uuid-in-braces", "{6ba7b810-9dad-11d1-80b4-00c04fd430c8}", "is a UUID in braces"),
@@ -269,6 +269,11 @@ const SPELLED: [(&str, &str, &str); 16] = [
     ("number-with-zeros", "1.50e03", "is a number with zeros that may be left out"),
     ("number-in-hex", "0x1F", "is a number in hexadecimal digits"),
     ("minus-zero", "-0", "is minus zero"),
+    ("zero", "0", "is zero"),
+    ("zeros", "000", "is made of zeros"),
+    ("dot-and-a-space", ".\u{a0}", "is a dot and U+00A0"),
+    ("space-and-dots", "\u{2003}..", "is U+2003 and two dots"),
+    ("wide-space-and-a-dot", "\u{3000}.\u{3000}", "is a dot between U+3000"),
     ("time", "2026-01-02T03:04:05.600+00:00", "is a time with an offset"),
     ("base64-with-padding", "YQ==", "is Base64 with padding"),
     ("entity", "a&amp;b", "holds an entity of HTML"),
@@ -278,8 +283,9 @@ const SPELLED: [(&str, &str, &str); 16] = [
 
 /// A few of them.
 pub(crate) fn accepted_sample() -> Vec<Segment> {
-    const SAMPLE: [&str; 6] = [
+    const SAMPLE: [&str; 7] = [
         "three-dots",
+        "zero",
         "at-inside",
         "decomposed",
         "no-break-space",
@@ -317,7 +323,7 @@ mod tests {
     #[test]
     fn every_name_of_a_sample_is_the_name_of_a_segment() {
         assert_eq!(refused_sample().len(), 11);
-        assert_eq!(accepted_sample().len(), 6);
+        assert_eq!(accepted_sample().len(), 7);
         assert!((0..5).all(|road| refused_besides(road).len() == 4));
     }
 

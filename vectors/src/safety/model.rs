@@ -63,13 +63,14 @@ impl Limits {
 /// The fields of a sensor frame.
 #[derive(Debug, Clone)]
 pub(crate) struct Sensor {
+    pub(crate) seq: i64,
     pub(crate) t: f64,
     pub(crate) channels: Vec<Channel>,
 }
 
 impl Sensor {
     pub(super) fn of(channels: Vec<Channel>) -> Self {
-        Self { t: 40.0, channels }
+        Self { seq: 7, t: 40.0, channels }
     }
 
     /// At that position.
@@ -78,7 +79,7 @@ impl Sensor {
     }
 
     fn json(&self) -> Json {
-        object! { "seq" => int(7), "t" => num(self.t), "channels" => channels_json(&self.channels) }
+        object! { "seq" => int(self.seq), "t" => num(self.t), "channels" => channels_json(&self.channels) }
     }
 
     fn is_writable(&self) -> bool {
@@ -93,10 +94,11 @@ pub(crate) struct Spec {
     pub(crate) kind: &'static str,
     pub(crate) unit: Option<String>,
     pub(crate) size: Option<i64>,
+    pub(crate) optional: Option<bool>,
 }
 
 pub(super) fn vec3(name: &str, unit: Option<&str>) -> Spec {
-    Spec { name: name.to_owned(), kind: "vec3", unit: unit.map(str::to_owned), size: None }
+    Spec { name: name.to_owned(), kind: "vec3", unit: unit.map(str::to_owned), size: None, optional: None }
 }
 
 pub(super) fn scalar(name: &str, unit: Option<&str>) -> Spec {
@@ -105,8 +107,12 @@ pub(super) fn scalar(name: &str, unit: Option<&str>) -> Spec {
 
 impl Spec {
     fn json(&self) -> Json {
-        object! { "name" => self.name.as_str(), "kind" => self.kind, "unit" => self.unit.as_deref(),
-        "size" => self.size.map(int) }
+        let spec = object! { "name" => self.name.as_str(), "kind" => self.kind, "unit" => self.unit.as_deref(),
+        "size" => self.size.map(int) };
+        match self.optional {
+            Some(optional) => spec.with("optional", Json::Bool(optional)),
+            None => spec,
+        }
     }
 }
 
@@ -154,6 +160,8 @@ fn specs(step: &scenario::Step) -> Result<Vec<Spec>, ScenarioError> {
         [name] => Ok(vec3(name, None)),
         [name, of] => Ok(vec3(name, unit(of).as_deref())),
         [name, "scalar", of] => Ok(scalar(name, unit(of).as_deref())),
+        [name, "optional", of] => Ok(Spec { optional: Some(true), ..vec3(name, unit(of).as_deref()) }),
+        [name, "required", of] => Ok(Spec { optional: Some(false), ..vec3(name, unit(of).as_deref()) }),
         _ => Err(step.place.wants("declared channel", word)),
     };
     step.words().filter(|word| *word != "-").map(spec).collect()
@@ -183,6 +191,10 @@ impl Step {
                 "at" if value == "none" => sensor = None,
                 "at" => sensor = Some(sensed(place, value)?),
                 "sent" => sensor = sensor.map(|sensor| Ok(Sensor { t: place.double(value)?, ..sensor })).transpose()?,
+                "stamp" => {
+                    let seq = value.parse().map_err(|_| place.wants("seq", value))?;
+                    sensor = sensor.map(|sensor| Sensor { seq, ..sensor });
+                }
                 "now" => now = place.double(value)?,
                 "last" => last = if value == "-" { None } else { Some(place.double(value)?) },
                 _ if command.setting(place, name, value)? => {}

@@ -11,6 +11,7 @@ use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::explicit;
 use crate::patch::written;
+use crate::roles::a;
 use crate::scenario::{Row, ScenarioError, Scenarios, Step, beside, source};
 use crate::template::Text;
 use crate::trace::{any, anything, exactly, int, name_of, nums, some_text, text_of};
@@ -514,7 +515,8 @@ fn behind_long_members() -> Vec<Case> {
                 case(format!("behind/{kind}/{size}"), &["NCP-WIRE-034", "NCP-SESS-027"], trace.to_vec())
                     .call("session.run", args)
                     .title(format!(
-                        "The fields of a `{kind}` are read behind an ignored member, in a frame of {bytes} bytes."
+                        "The fields of {} are read behind an ignored member, in a frame of {bytes} bytes.",
+                        a(kind).to_lowercase()
                     ))
                     .because("The members of an object stand in any order, and an unknown one is ignored."),
             );

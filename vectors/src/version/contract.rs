@@ -77,6 +77,11 @@ fn near(what: &str) -> String {
             swap(digits, |digit| char::from_u32(0xff41 + digit.to_digit(16)?.checked_sub(10)?));
         }
         ("arabic-indic-digit", digits) => swap(digits, |digit| char::from_u32(0x660 + digit.to_digit(10)?)),
+        // What is left of it in bytes of eight bits.
+        ("low-bytes", digits) => swap(digits, |digit| char::from_u32(0x100 + u32::from(digit))),
+        ("all-low-bytes", digits) => {
+            digits.iter_mut().for_each(|digit| *digit = char::from_u32(0x100 + u32::from(*digit)).unwrap_or(*digit));
+        }
         ("underscore", digits) => return within(digits, '_'),
         ("space-within", digits) => return within(digits, ' '),
         ("hyphen-within", digits) => return within(digits, '-'),

@@ -24,6 +24,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(fields_of_another());
     cases.extend(other_case_alone());
     cases.extend(unknown_overflow());
+    cases.extend(versions_within());
     cases.extend(text.cases("repeated", repeated)?);
     cases.extend(text.cases("repeated-within", repeated)?);
     cases.extend(text.rest(not_repeated)?);
@@ -100,6 +101,26 @@ fn maps_of<Names: Iterator<Item = &'static str>>(path: &str, words: &str, of: im
             .means(meaning(kind, &frame).text())
             .because("Every field has the value that the frame gives it, and a name is another by its least letter.")
     })
+}
+
+/// Frames without a version, within whose messages an unknown member has the name of one.
+fn versions_within() -> Vec<Case> {
+    let nested = Place::nested().into_iter().filter(|place| !place.is_twin() && place.message.kind.is_none());
+    let case = |place: Place| {
+        let message = place.alone(Ground::Explicit).and("ncp_version", "9000.1".into());
+        let frame = place.frame(Ground::Explicit, message).without("ncp_version");
+        Case::new(format!("{}version-within", place.label()), &["NCP-WIRE-033", "NCP-WIRE-026"], readers(place.kind))
+            .title(format!(
+                "{} without a version is read whose `{}` has an unknown member `ncp_version`.",
+                a(place.kind),
+                place.member("")
+            ))
+            .flags(&["over-strict"])
+            .decode(place.kind, frame.text())
+            .means(place.meaning(&frame))
+            .because("The version of a frame is its own member, and an unknown member is ignored.")
+    };
+    nested.map(case).collect()
 }
 
 /// Error frames that say nothing.

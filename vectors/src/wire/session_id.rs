@@ -4,7 +4,7 @@ use super::READ;
 use crate::case::{Case, File};
 use crate::json::Json;
 use crate::keys::segments::{self, Segment};
-use crate::model::{explicit, meaning, minimal};
+use crate::model::{explicit, full, meaning, minimal};
 use crate::roles::{a, readers};
 use ncp_text::tables::{Default, tables};
 
@@ -20,6 +20,7 @@ pub(super) fn file() -> File {
         let refused = if all { segments::refused() } else { segments::refused_sample() };
         let besides = if all { Vec::new() } else { segments::refused_besides(road) };
         cases.extend(refused.iter().chain(&besides).map(|segment| rejected(kind, segment)));
+        cases.extend(besides.iter().take(2).map(|segment| rejected_among_all(kind, segment)));
         let accepted = if all { segments::accepted() } else { segments::accepted_sample() };
         cases.extend(accepted.iter().map(|segment| read(kind, segment)));
         if all {
@@ -35,6 +36,17 @@ fn rejected(kind: &'static str, segment: &Segment) -> Case {
     let frame = minimal(kind).with("session_id", Json::string(&segment.text));
     Case::new(format!("{kind}/refused/{}", segment.name), &["NCP-WIRE-031", segment.rule], readers(kind))
         .title(format!("{} whose `session_id` {} is rejected.", a(kind), segment.says))
+        .flags(&["unchecked-session-id"])
+        .decode(kind, frame.text())
+        .rejects("value")
+        .because("No key could be built from the id, so no peer could have the session.")
+}
+
+/// The same where every other field has another value than its default.
+fn rejected_among_all(kind: &'static str, segment: &Segment) -> Case {
+    let frame = full(kind).with("session_id", Json::string(&segment.text));
+    Case::new(format!("{kind}/refused/{}/among-all", segment.name), &["NCP-WIRE-031", segment.rule], readers(kind))
+        .title(format!("{} whose `session_id` {} is rejected, whatever its other fields say.", a(kind), segment.says))
         .flags(&["unchecked-session-id"])
         .decode(kind, frame.text())
         .rejects("value")
