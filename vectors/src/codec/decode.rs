@@ -373,11 +373,13 @@ fn ranges() -> Vec<Case> {
 /// What stands between the components that mappings name is another rule's.
 fn between_mappings(case: Case, mappings: &[Mapping]) -> Case {
     let has_gaps = mappings.iter().any(|mapping| (1..4096).contains(&mapping.component));
-    if !has_gaps {
+    if !has_gaps || case.requirements.first() == Some(&"NCP-CODEC-010") {
         return case;
     }
-    mappings.iter().fold(case.by("/command/channels/*/data/*", "NCP-CODEC-010"), |case, mapping| {
-        case.by_own(format!("/command/channels/{}/data/{}", mapping.channel, mapping.component))
+    mappings.iter().fold(case, |case, mapping| {
+        let data = format!("/command/channels/{}/data", mapping.channel);
+        let own = format!("{data}/{}", mapping.component);
+        case.by(data, "NCP-CODEC-010").by_own(own)
     })
 }
 

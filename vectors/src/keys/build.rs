@@ -344,7 +344,7 @@ impl Builder {
     /// In realms that read like the rest of a key.
     fn like_a_key(&self) -> Vec<Case> {
         let table = [
-            ("session", "session/uav3/sensor"),
+            ("session", "a/session/uav3/sensor"),
             ("sensor", "lab/uav3/sensor/front"),
             ("rpc", "ncp/rpc"),
             ("command", "uav3/command"),
