@@ -759,7 +759,7 @@ fn both_ways() -> Case {
 
 /// Channels, and populations, of all names that are alike.
 fn of_all_names() -> [Case; 2] {
-    let hertz: Vec<f64> = (1_u32..).zip(names::alike()).map(|(nth, _)| 100.0 + f64::from(nth)).collect();
+    let hertz: Vec<f64> = (1_u32..).zip(names::alike()).map(|(nth, _)| 100.0 + f64::from(nth) / 2.0).collect();
     let values: Vec<f64> = hertz.iter().map(|rate| map(*rate, PLAIN.rate, PLAIN.value)).collect();
     let of = |are_channels| {
         object! { "encoders" => Json::Array(Vec::new()), "decoders" => mappings_of_names(are_channels) }
