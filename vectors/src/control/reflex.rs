@@ -185,7 +185,9 @@ fn beyond_the_doubles() -> Vec<Case> {
         let gains = Gains { kp, kd, max_speed: most, target: [0.0; 3] };
         cases.push(
             of_law(format!("law/beyond-the-doubles/{name}"), gains, position, moving)
-                .shows(object! { "command" => object! { "seq" => int(1), "mode" => "active", "channels" => velocity(&u) } })
+                .shows(object! {
+                    "command" => object! { "seq" => int(1), "mode" => "active", "channels" => velocity(&u) },
+                })
                 .by("/command/seq", "NCP-PLANE-006")
                 .title(format!(
                     "The reflex controller answers by its law where one term of it leaves the doubles ({}).",

@@ -310,7 +310,8 @@ pub(super) fn nearly_runs() -> Vec<Case> {
         ];
         reference(format!("reach/nearly-a-run/{length}"), &["NCP-SESS-055", "NCP-SESS-052"], trace)
             .title(format!(
-                "A stimulus of {length} ids from 1 to {length}, of which one is {far} and none is 2, reaches just those."
+                "A stimulus of {length} ids from 1 to {length}, of which one is {far} and none is 2, reaches just \
+                 those."
             ))
             .because("A stimulus reaches each of the neurons that its `ids` name, and no others.")
     };
