@@ -235,6 +235,11 @@ pub(super) fn of_runs(columns: &[(&str, u8, usize, char)]) -> Text {
     of_runs_shifted(columns, 0)
 }
 
+/// The double that all of whose bytes are this one, as a reader writes it.
+pub(super) fn double_of(byte: u8) -> Json {
+    number(f64::from_bits(u64::from_ne_bytes([byte; 8])))
+}
+
 /// The same with the data so many bytes behind where an encoder puts it.
 pub(super) fn of_runs_shifted(columns: &[(&str, u8, usize, char)], shift: usize) -> Text {
     let columns: Vec<_> = columns.iter().filter(|(_, _, rows, _)| *rows > 0).collect();

@@ -1,6 +1,6 @@
 //! Observations packed in blocks, and taken out of them.
 
-use super::build::{Block, Column, Part, Values, f32s, f64s, golden, i32s, i64s, of_runs, of_zeros};
+use super::build::{Block, Column, Part, Values, double_of, f32s, f64s, golden, i32s, i64s, of_runs, of_zeros};
 use super::{READERS, columns_json, many};
 use crate::case::Role::Server;
 use crate::case::{Case, File};
@@ -421,7 +421,6 @@ fn wrapped() -> Vec<Case> {
 /// Long columns that are told apart by their names alone.
 fn long_in_any_order() -> Vec<Case> {
     // A column is all of one byte, so that its values are all equal.
-    let double = |byte: u8| Json::literal(format!("{:?}", f64::from_bits(u64::from_ne_bytes([byte; 8]))));
     let integer = |byte: u8| Json::string(u64::from_ne_bytes([byte; 8]).to_string());
     let table = [
         ("values-first", ["values", "times", "senders"]),
@@ -446,8 +445,8 @@ fn long_in_any_order() -> Vec<Case> {
             false => Json::Array(Vec::new()),
         };
         let arrays = object! {
-            "times" => given("times", double(b'0')),
-            "values" => given("values", double(b'1')),
+            "times" => given("times", double_of(b'0')),
+            "values" => given("values", double_of(b'1')),
             "senders" => given("senders", integer(b'2')),
         };
         Case::new(format!("unpack/order/long/{what}"), &["NCP-OBS-008"], READERS)

@@ -1,6 +1,6 @@
 //! Values of every dtype, wherever they lie.
 
-use super::build::{Block, Column, f32s, f64s, i32s, i64s, of_runs_shifted, of_zeros};
+use super::build::{Block, Column, double_of, f32s, f64s, i32s, i64s, of_runs_shifted, of_zeros};
 use super::{READERS, decode, many, read, read_if_at_all};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
@@ -130,7 +130,7 @@ fn unaligned() -> Vec<Case> {
     cases.extend(unaligned_extremes());
     // More than a reader may have set aside to move a column into.
     let (rows, byte) = (131_073, '1');
-    let value = many(Json::literal(format!("{:?}", f64::from_bits(u64::from_ne_bytes([byte as u8; 8])))), rows);
+    let value = many(double_of(byte as u8), rows);
     let columns = Json::Array(vec![object! { "name" => "v", "dtype" => "f64", "data" => value }]);
     cases.push(
         Case::new("unaligned/longer-than-1-mib", &["NCP-BULK-018", "NCP-BULK-025"], READERS)

@@ -74,10 +74,7 @@ fn other_kinds() -> Vec<Case> {
         others.sort_unstable();
         others.dedup();
         for other in others.into_iter().filter(|other| *other != expected) {
-            let frame = full(expected).with("kind", Json::string(other));
-            let frame = minimal(other).members().iter().fold(frame, |frame, (name, value)| {
-                if frame.get(name).is_some() { frame } else { frame.and(name, value.clone()) }
-            });
+            let frame = with_what_it_needs(full(expected).with("kind", Json::string(other)), other);
             cases.push(
                 Case::new(format!("{expected}/other/{other}"), &["NCP-WIRE-030"], readers(expected))
                     .title(format!(
@@ -106,16 +103,8 @@ fn behind_the_expected() -> Vec<Case> {
             ("text", Json::string(format!("\"kind\":\"{expected}\"")), "a text that holds the expected one"),
         ];
         for (name, novel, words) in within {
-            let frame = full(expected)
-                .members()
-                .iter()
-                .filter(|(name, _)| name != "kind")
-                .fold(Json::object().with("novel", novel).with("kind", other.into()), |frame, (name, value)| {
-                    frame.and(name, value.clone())
-                });
-            let frame = minimal(other).members().iter().fold(frame, |frame, (name, value)| {
-                if frame.get(name).is_some() { frame } else { frame.and(name, value.clone()) }
-            });
+            let begins = Json::object().with("novel", novel).with("kind", other.into());
+            let frame = with_what_it_needs(with_absent(begins, &full(expected)), other);
             cases.push(
                 Case::new(format!("{expected}/behind/{name}"), &["NCP-WIRE-030"], readers(expected))
                     .title(format!(
@@ -130,6 +119,21 @@ fn behind_the_expected() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// The frame with the fields that this kind has to have, where it lacks them.
+fn with_what_it_needs(frame: Json, kind: &str) -> Json {
+    with_absent(frame, &minimal(kind))
+}
+
+/// The frame with those members of another that it does not have.
+fn with_absent(frame: Json, other: &Json) -> Json {
+    other.members().iter().fold(
+        frame,
+        |frame, (name, value)| {
+            if frame.get(name).is_some() { frame } else { frame.and(name, value.clone()) }
+        },
+    )
 }
 
 /// The kind that a careless receiver takes a frame for.

@@ -32,21 +32,20 @@ pub(super) fn file() -> File {
     File::new("wire", "session_id", about, cases)
 }
 
+/// A frame that says only what it must.
 fn rejected(kind: &'static str, segment: &Segment) -> Case {
-    let frame = minimal(kind).with("session_id", Json::string(&segment.text));
-    Case::new(format!("{kind}/refused/{}", segment.name), &["NCP-WIRE-031", segment.rule], readers(kind))
-        .title(format!("{} whose `session_id` {} is rejected.", a(kind), segment.says))
-        .flags(&["unchecked-session-id"])
-        .decode(kind, frame.text())
-        .rejects("value")
-        .because("No key could be built from the id, so no peer could have the session.")
+    rejected_in(kind, segment, &minimal(kind), "", "")
 }
 
-/// The same where every other field has another value than its default.
+/// One in which every other field has another value than its default.
 fn rejected_among_all(kind: &'static str, segment: &Segment) -> Case {
-    let frame = full(kind).with("session_id", Json::string(&segment.text));
-    Case::new(format!("{kind}/refused/{}/among-all", segment.name), &["NCP-WIRE-031", segment.rule], readers(kind))
-        .title(format!("{} whose `session_id` {} is rejected, whatever its other fields say.", a(kind), segment.says))
+    rejected_in(kind, segment, &full(kind), "/among-all", ", whatever its other fields say")
+}
+
+fn rejected_in(kind: &'static str, segment: &Segment, frame: &Json, path: &str, words: &str) -> Case {
+    let frame = frame.clone().with("session_id", Json::string(&segment.text));
+    Case::new(format!("{kind}/refused/{}{path}", segment.name), &["NCP-WIRE-031", segment.rule], readers(kind))
+        .title(format!("{} whose `session_id` {} is rejected{words}.", a(kind), segment.says))
         .flags(&["unchecked-session-id"])
         .decode(kind, frame.text())
         .rejects("value")
