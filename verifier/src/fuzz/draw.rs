@@ -213,7 +213,11 @@ impl<'h> Draw<'h> {
                     self.range(-9_999_999, 9_999_999) as f64 / 1000.0
                 } else if self.chance(12) {
                     // Below a power of two doubles lie twice as close as above it.
-                    2_f64.powi(i32::try_from(self.range(-1074, 1023)).unwrap_or(0))
+                    let power = 2_f64.powi(i32::try_from(self.range(-1074, 1023)).unwrap_or(0));
+                    if self.chance(50) {
+                        return power;
+                    }
+                    power
                 } else if self.seen.is_empty() || self.chance(30) {
                     self.one(&CONSTANTS)
                 } else {
@@ -359,10 +363,55 @@ impl<'h> Draw<'h> {
             }
             4 => self.spiced(),
             5 if self.chance(30) => self.quoted(),
+            6 if self.chance(40) => self.formatted(),
             5 => self.pick(&["NaN", "null", "true", "-0", "0", "1e3", "__proto__", "constructor", "kind"]).to_owned(),
             6 => ["é", "e\u{301}", "ﬁ", "ǆ", "İ", "ß", "\u{1f681}", "\u{ff5e}", "\u{feff}", "中", "ا"][self.below(11)]
                 .to_owned(),
             _ => self.name(),
+        }
+    }
+
+    /// What some readers take for more than letters: an identifier, a number, an address, a date, a path.
+    fn formatted(&mut self) -> String {
+        const FORMATS: [&str; 16] = [
+            "6ba7b810-9dad-11d1-80b4-00c04fd430c8",
+            "6BA7B810-9DAD-11D1-80B4-00C04FD430C8",
+            "{6ba7b810-9dad-11d1-80b4-00c04fd430c8}",
+            "6ba7b8109dad11d180b400c04fd430c8",
+            "192.168.001.010",
+            "::1",
+            "a%2Fb",
+            "%61",
+            "&amp;",
+            "2026-01-02T03:04:05Z",
+            "QUJD",
+            "QUJD==",
+            "a@b.c",
+            "a=b",
+            "xn--a",
+            "file:a",
+        ];
+        if self.chance(40) { self.digits() } else { self.pick(&FORMATS).to_owned() }
+    }
+
+    /// A whole number as text, of any width: as a narrow counter or a word of some bits ends, or longer than any.
+    pub(crate) fn digits(&mut self) -> String {
+        match self.below(6) {
+            0 => self.below(10).to_string(),
+            1 => self.size(1, 1 << 20).to_string(),
+            2 => {
+                let power = self.one(&[8_u32, 10, 15, 16, 20, 24, 31, 32, 48, 53, 63, 64]);
+                let least = if power == 64 { u128::from(u64::MAX) + 1 } else { 1 << power };
+                (least * (1 + u128::from(self.next() % 3)) + u128::from(self.next() % 8)).to_string()
+            }
+            // 2^128, and a few more.
+            3 => format!("34028236692093846346337460743176821145{}", 6 + self.below(4)),
+            4 => {
+                let (count, last) = (self.size(15, 45), self.below(10));
+                let digit = char::from(self.one(b"019"));
+                format!("{}{}{last}", 1 + self.below(9), digit.to_string().repeat(count))
+            }
+            _ => self.next().to_string(),
         }
     }
 
@@ -451,7 +500,7 @@ impl<'h> Draw<'h> {
             let word = self.below(self.harvest.words.len());
             return self.harvest.words[word].clone();
         }
-        let names = ["a", "b", "uav3", "s1", "pop", "v", "in", "grip", "tow", "x", "imu", "A", "a0", "front"];
+        let names = ["7", "0", "a", "b", "uav3", "s1", "pop", "v", "in", "grip", "tow", "x", "imu", "A", "a0", "front"];
         self.pick(&names).to_owned()
     }
 
@@ -586,5 +635,18 @@ mod tests {
             assert!((2_f64.powi(-20)..2_f64.powi(45)).contains(&draw.of_class(8).abs()));
             assert!(draw.integer().abs() <= LARGEST);
         }
+    }
+
+    #[test]
+    fn digits_are_those_of_words_that_overflow_and_some_texts_look_like_more_than_letters() {
+        let harvest = Harvest::default();
+        let digits: std::collections::HashSet<String> =
+            (0..20_000).map(|number| Draw::new(3, number, &harvest).digits()).collect();
+        let known = ["256", "1024", "65536", "18446744073709551616", "340282366920938463463374607431768211456"];
+        assert!(known.iter().all(|word| digits.contains(*word)));
+        assert!(digits.iter().all(|word| word.bytes().all(|byte| byte.is_ascii_digit())));
+        let drawn: std::collections::HashSet<String> =
+            (0..20_000).map(|number| Draw::new(3, number, &harvest).string()).collect();
+        assert!(drawn.contains("6BA7B810-9DAD-11D1-80B4-00C04FD430C8") && drawn.contains("a%2Fb"));
     }
 }

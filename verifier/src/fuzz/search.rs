@@ -42,6 +42,10 @@ const KEPT: usize = 400;
 const SHRUNK_ALIKE: u64 = 4;
 /// After so many faults a peer is given up.
 const MOST_FAULTS: usize = 60;
+/// How many bytes the arguments of an input have that is never drawn again for its size; of steps more, since each is
+/// soon taken.
+const CHEAP: usize = 16 << 10;
+const CHEAP_STEPS: usize = 100 << 10;
 /// How many bytes the arguments of an input may have.
 const LARGEST: usize = 16 << 20;
 /// How long what is found may still be shrunk when the time is over.
@@ -667,7 +671,8 @@ fn turn(number: u64, sweep: &Sweep, is_light: bool) -> Turn {
     if swept(number + 1, is_light) > at && at < sweep.len() { Turn::Swept(at) } else { Turn::Drawn }
 }
 
-/// The input of this number: drawn anew, a case of the corpus that is varied, or an input that was kept, changed.
+/// The input of this number. A large one is mostly drawn again: it costs as much as hundreds of small ones, in which
+/// there is more to find.
 fn draw_input(
     menu: &Menu,
     seeds: &Seeds,
@@ -678,19 +683,40 @@ fn draw_input(
     let mut draw = Draw::new(settings.seed, number, &settings.harvest).with_length(settings.length);
     let call = generate::call(menu, &mut draw)?;
     let others = kept.get(&call).map_or(&[][..], Vec::as_slice);
+    let mut input = draw_of(call, menu, seeds, others, settings, &mut draw)?;
+    for _ in 0..3 {
+        let bytes = super::tree::size(&input.args);
+        let cheap = if input.args.get("steps").is_some() { CHEAP_STEPS } else { CHEAP };
+        if draw.share() < (cheap as f64 / bytes.max(1) as f64).sqrt() {
+            break;
+        }
+        input = draw_of(call, menu, seeds, others, settings, &mut draw)?;
+    }
+    Some(input)
+}
+
+/// An input of a call: drawn anew, a case of the corpus that is varied, or an input that was kept, changed.
+fn draw_of(
+    call: Call,
+    menu: &Menu,
+    seeds: &Seeds,
+    others: &[Input],
+    settings: &Settings,
+    draw: &mut Draw<'_>,
+) -> Option<Input> {
     // A trace that was changed may have another length.
     let is_changed = settings.length.is_none();
     if is_changed
         && draw.chance(50)
-        && let Some(varied) = seeds.vary(call, &mut draw)
+        && let Some(varied) = seeds.vary(call, draw)
     {
         return Some(Input { call, args: varied.args });
     }
     if others.len() < 4 || !is_changed || !draw.chance(40) {
-        return Some(Input { call, args: generate::args(call, menu, &mut draw)? });
+        return Some(Input { call, args: generate::args(call, menu, draw)? });
     }
     let (one, other) = (draw.below(others.len()), draw.below(others.len()));
-    Some(mutate(&others[one], others.get(other), &mut draw))
+    Some(mutate(&others[one], others.get(other), draw))
 }
 
 /// Asks inputs of the peer, and meanwhile of the specification; then judges where they part.
@@ -980,5 +1006,22 @@ fn alone(seed: u64, count: u64, length: Option<usize>) -> Settings {
         tries: 0,
         harvest: Harvest::default(),
         length,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_large_is_drawn_now_and_then_and_takes_a_part_of_the_bytes_alone() {
+        let menu = super::super::menu(&Role::ALL, Level::Strict, true, &[Pattern::new("decode")]);
+        let seeds = Seeds::of(&Suite::embedded().unwrap(), &menu);
+        let (settings, kept) = (alone(3, 0, None), BTreeMap::new());
+        let drawn = (0..3000).filter_map(|number| draw_input(&menu, &seeds, &kept, &settings, number));
+        let sizes: Vec<usize> = drawn.map(|input| input.args.to_string().len()).collect();
+        let large: Vec<usize> = sizes.iter().copied().filter(|size| *size > 1 << 18).collect();
+        let share = large.iter().sum::<usize>() as f64 / sizes.iter().sum::<usize>() as f64;
+        assert!(!large.is_empty() && large.len() < 60 && share < 0.9, "{} {share}", large.len());
     }
 }

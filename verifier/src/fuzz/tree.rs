@@ -36,6 +36,17 @@ pub(crate) fn own(json: &Json<'_>) -> Tree {
     }
 }
 
+/// About how many bytes it has when it is written, escapes aside.
+pub(crate) fn size(tree: &Tree) -> usize {
+    match tree {
+        Json::Null | Json::Bool(_) => 5,
+        Json::Number(spelling) => spelling.len() + 1,
+        Json::String(text) => text.len() + 3,
+        Json::Array(items) => 2 + items.iter().map(size).sum::<usize>(),
+        Json::Object(members) => 2 + members.iter().map(|(name, value)| name.len() + 4 + size(value)).sum::<usize>(),
+    }
+}
+
 /// A double as PROTOCOL.md, section 2, spells it.
 pub(crate) fn num(value: f64) -> Tree {
     if value.is_nan() {
@@ -251,5 +262,12 @@ mod tests {
         set(&mut tree, "a", int(2));
         set(&mut tree, "b", Json::Null);
         assert_eq!(tree.to_string(), r#"{"a":2,"b":null}"#);
+    }
+
+    #[test]
+    fn the_size_of_a_tree_is_about_that_of_its_text() {
+        let frame = object([("seq", int(7)), ("data", nums(&[0.5, -1.25])), ("unit", Json::Null), ("id", text("s1"))]);
+        let (size, written) = (size(&frame), frame.to_string().len());
+        assert!(size >= written && size < written + 20, "{size} {written}");
     }
 }

@@ -19,6 +19,13 @@ fn columns(draw: &mut Draw<'_>) -> Vec<(String, usize, usize)> {
                     format!("{nth}{}", "n".repeat(length - nth.to_string().len().min(length)))
                 }
                 1 => format!("{}{nth}", draw.spiced()),
+                // One that another has but for its end, or that reads as a number.
+                3 => {
+                    draw.one(&["c", "c0", "times"]).to_owned()
+                        + draw.pick(&["\0", "\0\0", " ", "0", ""])
+                        + &nth.to_string()
+                }
+                4 if draw.chance(50) => nth.to_string(),
                 2 if draw.chance(30) => format!("{nth}{}", draw.spiced()),
                 _ => format!("c{nth}"),
             };
@@ -50,7 +57,20 @@ fn value(dtype: usize, draw: &mut Draw<'_>) -> Vec<u8> {
         2 => draw.double().to_le_bytes().to_vec(),
         #[expect(clippy::cast_possible_truncation, reason = "any bits will do")]
         3 => (draw.next() as u32).to_le_bytes().to_vec(),
+        4 if draw.chance(20) => ((1 << 53) + draw.range(0, 4)).to_le_bytes().to_vec(),
         _ => if draw.chance(50) { draw.integer() } else { draw.next().cast_signed() }.to_le_bytes().to_vec(),
+    }
+}
+
+/// Two values: the same twice, zeros of both signs, neighbours that are one double, or any two.
+fn pair(dtype: usize, draw: &mut Draw<'_>) -> [Vec<u8>; 2] {
+    let one = value(dtype, draw);
+    match (draw.below(4), dtype) {
+        (0, 1) => [0.0_f32, -0.0].map(|zero| zero.to_le_bytes().to_vec()),
+        (0, 2) => [0.0_f64, -0.0].map(|zero| zero.to_le_bytes().to_vec()),
+        (0, 4) => [1_i64 << 53, (1 << 53) + 1].map(|whole| whole.to_le_bytes().to_vec()),
+        (1, _) => [one.clone(), one],
+        _ => [one, value(dtype, draw)],
     }
 }
 
@@ -60,10 +80,7 @@ fn block(columns: &[(String, usize, usize)], draw: &mut Draw<'_>) -> Vec<u8> {
     let gaps = draw.chance(20);
     let mut bytes = vec![0; 12 + 16 * columns.len()];
     let mut entries = Vec::new();
-    let mut order: Vec<usize> = (0..columns.len()).collect();
-    if draw.chance(25) {
-        order.reverse();
-    }
+    let mut order = shuffled(columns.len(), draw);
     let mut names = vec![0; columns.len()];
     for &nth in &order {
         if gaps && draw.chance(30) {
@@ -73,6 +90,9 @@ fn block(columns: &[(String, usize, usize)], draw: &mut Draw<'_>) -> Vec<u8> {
         bytes.extend_from_slice(columns[nth].0.as_bytes());
     }
     let mut data = vec![0; columns.len()];
+    if draw.chance(30) {
+        order = shuffled(columns.len(), draw);
+    }
     for &nth in &order {
         let (_, dtype, rows) = columns[nth];
         if padded {
@@ -81,8 +101,13 @@ fn block(columns: &[(String, usize, usize)], draw: &mut Draw<'_>) -> Vec<u8> {
             bytes.extend_from_slice(&[0x55; 5]);
         }
         data[nth] = bytes.len();
-        for _ in 0..rows {
-            bytes.extend(value(dtype, draw));
+        // One value, or two by turns, again and again.
+        let few = draw.chance(15).then(|| pair(dtype, draw));
+        for row in 0..rows {
+            match &few {
+                Some(few) => bytes.extend(&few[(row / 7) % 2]),
+                None => bytes.extend(value(dtype, draw)),
+            }
         }
     }
     for (nth, (name, dtype, rows)) in columns.iter().enumerate() {
@@ -98,6 +123,17 @@ fn block(columns: &[(String, usize, usize)], draw: &mut Draw<'_>) -> Vec<u8> {
     bytes.splice(..12, head);
     bytes.splice(12..12 + entries.len(), entries);
     bytes
+}
+
+/// The numbers below this one, in their order, backwards, or in any.
+fn shuffled(count: usize, draw: &mut Draw<'_>) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..count).collect();
+    match draw.below(8) {
+        0 | 1 => order.reverse(),
+        2 => (0..count).for_each(|at| order.swap(at, draw.below(count))),
+        _ => {}
+    }
+    order
 }
 
 fn le32(value: usize) -> [u8; 4] {
@@ -116,7 +152,36 @@ fn broken(bytes: &mut Vec<u8>, columns: usize, draw: &mut Draw<'_>) {
         }
     };
     let odd = draw.one(&[0, 1, 11, 12, 27, 28, length - 1, length, length + 1, length / 2, u32::MAX as usize]);
-    match draw.below(18) {
+    match draw.below(24) {
+        // Cut, or longer, and the header says so.
+        18 | 19 => {
+            if draw.chance(50) {
+                bytes.truncate(draw.below(length));
+            } else {
+                let whole = length.next_multiple_of(draw.one(&[1, 4, 8, 16]));
+                bytes.resize(if whole > length { whole } else { length + 1 + draw.below(16) }, 0);
+            }
+            if draw.chance(60) {
+                let total = le32(bytes.len());
+                set(bytes, 8, &total);
+            }
+        }
+        // Version and flags, as two bytes or as a word.
+        20 => set(bytes, 4, &[draw.one(&[0, 1, 2, 255]), draw.one(&[0, 1, 2, 128])]),
+        // One more or one less than it says, or as much more as wraps.
+        21 | 22 if entry > 0 => {
+            let field = entry + draw.one(&[0, 4, 8, 12]);
+            let known =
+                bytes.get(field..field + 4).and_then(|known| known.try_into().ok()).map_or(0, u32::from_le_bytes);
+            let by = draw.one(&[1, u32::MAX, 2, 4, 8, 1 << 16, 1 << 24, 1 << 29, 1 << 30, 1 << 31]);
+            let new = known.wrapping_add(by).to_le_bytes();
+            set(bytes, field, if field == entry + 4 { &new[..2] } else { &new });
+        }
+        // An empty column, that begins anywhere.
+        23 if entry > 0 => {
+            set(bytes, entry + 8, &le32(0));
+            set(bytes, entry + 12, &le32(draw.below(length + 2)));
+        }
         15 | 16 if entry > 0 => {
             // A name or the data of a column begins within those of another, or of its own.
             let other = 12 + 16 * draw.below(columns);
@@ -214,7 +279,7 @@ pub(super) fn pack(draw: &mut Draw<'_>) -> Tree {
 
 /// The arguments of `observation.unpack`.
 pub(super) fn unpack(draw: &mut Draw<'_>) -> Tree {
-    let rows = draw.size(0, 64);
+    let rows = if draw.chance(6) { draw.size(64, 20_000) } else { draw.size(0, 64) };
     let mut columns: Vec<(String, usize, usize)> =
         [("times", 2), ("values", 2), ("senders", 4)].map(|(name, dtype)| (name.to_owned(), dtype, rows)).into();
     if draw.chance(30) {

@@ -9,7 +9,7 @@ fn range(draw: &mut Draw<'_>) -> [f64; 2] {
     draw.note(low);
     match draw.below(12) {
         0 => [low, low],
-        1 => [low, low.next_up()],
+        1 => [low, if draw.chance(50) { low.next_up() } else { low + (low * draw.little()).abs() }],
         2 => [low, end(draw)],
         // Their sum, or their difference, leaves the doubles.
         3 => draw.one(&[[1e308, 1.5e308], [-1.5e308, 1.5e308], [-f64::MAX, -1e308], [f64::MAX / 2.0, f64::MAX]]),
@@ -34,6 +34,7 @@ fn mappings(decoders: bool, draw: &mut Draw<'_>) -> Vec<Tree> {
     };
     let channels = names(draw);
     let marked = draw.chance(10);
+    let shared = draw.chance(15);
     let far = draw.one(&[4, 4, 64, 4095]);
     let mut next = [0_i64; 4];
     (0..count)
@@ -48,6 +49,8 @@ fn mappings(decoders: bool, draw: &mut Draw<'_>) -> Vec<Tree> {
             }
             let of = if is_ignored && draw.chance(60) { draw.below(count) } else { nth };
             let population = if marked && nth % 3 == 1 { format!(" p{of} ") } else { format!("p{of}") };
+            // Two that read the same, by ranges of their own.
+            let population = if decoders && shared && nth % 2 == 1 { format!("p{}", nth - 1) } else { population };
             let mut mapping = object([
                 ("channel", text(channels[channel].clone())),
                 ("component", int(component)),
@@ -70,6 +73,12 @@ fn mappings(decoders: bool, draw: &mut Draw<'_>) -> Vec<Tree> {
 fn names(draw: &mut Draw<'_>) -> [String; 4] {
     if draw.chance(85) {
         return ["x", "pose_error", "velocity_setpoint", "y"].map(str::to_owned);
+    }
+    // Such as run together with the number of a component, or that are parts of each other.
+    match draw.below(3) {
+        0 => return ["motor", "motor1", "motor/1", "motor.1"].map(str::to_owned),
+        1 => return ["arm/x", "x", "arm", "x/arm"].map(str::to_owned),
+        _ => {}
     }
     let length = draw.size(4, 128);
     ["a", "b", "", "aa"].map(|end| "n".repeat(length) + end)

@@ -23,11 +23,31 @@ pub(super) fn wild(frame: &Tree, draw: &mut Draw<'_>) -> String {
             set(top, name, unknown);
         }
     }
+    if draw.chance(20) {
+        reorder(&mut frame, draw);
+    }
     let spaces = draw.one(&[0, 0, 20]);
     let escapes = draw.one(&[0, 0, 15]);
     let mut out = String::new();
     write(&frame, spaces, escapes, draw, &mut out);
     out
+}
+
+/// The members of an object, and of what it holds, in another order, which says the same.
+fn reorder(tree: &mut Tree, draw: &mut Draw<'_>) {
+    match tree {
+        Json::Array(items) if items.len() < 40 => items.iter_mut().for_each(|item| reorder(item, draw)),
+        Json::Object(members) if members.len() < 40 => {
+            let count = members.len();
+            match draw.below(3) {
+                0 => members.reverse(),
+                1 => members.rotate_left(draw.below(count.max(1))),
+                _ => (0..count).for_each(|at| members.swap(at, draw.below(count))),
+            }
+            members.iter_mut().for_each(|(_, value)| reorder(value, draw));
+        }
+        _ => {}
+    }
 }
 
 /// A value for a member that nobody knows.
@@ -287,12 +307,19 @@ fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
             let id = frame.get("session_id").and_then(Json::as_str).unwrap_or("s1").to_owned();
             let id = draw.nearly(&id);
             let Some(place) = sites.get(draw.below(sites.len())) else { return };
+            let kind = frame.get("kind").cloned().unwrap_or(Json::Null);
+            let is_of_another_kind = draw.chance(40);
             if let Some(inner) = at_mut(frame, place) {
                 match draw.below(3) {
+                    // The kind within, and another one, or none, without.
+                    _ if is_of_another_kind => set(inner, "kind", kind),
                     0 => set(inner, "session_id", text(id)),
                     1 => set(inner, "ncp_version", text(draw.pick(&["0.4", "0.6", "1.0", "0.5"]))),
                     _ => set(inner, "future", levels),
                 }
+            }
+            if is_of_another_kind {
+                turned(frame, draw);
             }
         }
         // Another type.
@@ -337,7 +364,7 @@ fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
                 "-0.0",
                 "2147483648",
             ];
-            let mut spelling = draw.pick(&spelling).to_owned();
+            let mut spelling = if draw.chance(25) { draw.digits() } else { draw.pick(&spelling).to_owned() };
             if draw.chance(40) {
                 // What follows it, or stands before it, may be white space.
                 let space = draw.pick(&[" ", "\t", "\n", "\r", " \r\n"]);
@@ -428,6 +455,16 @@ fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
                 grow(target, count);
             }
         }
+    }
+}
+
+/// The frame with its kind behind all else, and another one there, or none.
+fn turned(frame: &mut Tree, draw: &mut Draw<'_>) {
+    let Json::Object(members) = frame else { return };
+    members.retain(|(name, _)| name != "kind");
+    if draw.chance(80) {
+        let kind = draw.pick(&["sensor_frame", "command_frame", "step_request", "error", "session_opened"]);
+        members.push(("kind".into(), text(kind)));
     }
 }
 
@@ -530,7 +567,22 @@ fn wrong_text(mut bytes: Vec<u8>, draw: &mut Draw<'_>) -> Vec<u8> {
             let what = draw.pick(&["x", "{}", ",", "\u{0}", "\u{feff}", "\u{a0}", "null", "]", " {}"]);
             // Or the beginning of a character.
             let begun: &[u8] = draw.one(&[&b"\xc3"[..], b"\xe2\x82", b"\xf0\x9f\x98", b" \xc3"]);
+            if draw.chance(20) {
+                // Where a reader that looks for the end in blocks has stopped.
+                let blanks = draw.size(1, 70_000);
+                bytes.extend(std::iter::repeat_n(draw.one(b" \t\n\r"), blanks));
+            }
             bytes.extend_from_slice(if draw.chance(30) { begun } else { what.as_bytes() });
+        }
+        4 if draw.chance(50) => {
+            // What is a blank elsewhere, at both ends or at one.
+            let blank = draw.pick(&["\u{b}", "\u{c}", "\u{0}", "\u{85}", "\u{a0}", "\u{1c}", "\u{1f}", "\u{2028}"]);
+            if draw.chance(60) {
+                bytes.extend_from_slice(blank.as_bytes());
+            }
+            if draw.chance(60) {
+                insert(&mut bytes, 0, blank.as_bytes());
+            }
         }
         4 => insert(&mut bytes, 0, draw.pick(&["x", "[", "\u{a0}", "\u{c}", ",", "//\n"]).as_bytes()),
         5 => {
@@ -599,5 +651,37 @@ mod tests {
             (0..2000).map(|number| crowd(&mut Draw::new(3, number, &harvest))).collect();
         assert!([4096, 4097].iter().all(|count| drawn.contains(count)), "{drawn:?}");
         assert!(drawn.iter().filter(|count| (65_536..69_632).contains(*count)).count() > 10, "{drawn:?}");
+    }
+
+    #[test]
+    fn a_frame_in_another_order_has_the_same_members_at_every_level() {
+        let harvest = Harvest::default();
+        let inner = object([("x", int(1)), ("y", int(2)), ("z", int(3))]);
+        let frame = object([("kind", text("sensor_frame")), ("a", inner.clone()), ("b", list(vec![inner]))]);
+        let sorted = |tree: &Tree| serde_json::from_str::<serde_json::Value>(&tree.to_string()).unwrap();
+        let mut orders = std::collections::HashSet::new();
+        for number in 0..200 {
+            let mut turned = frame.clone();
+            reorder(&mut turned, &mut Draw::new(3, number, &harvest));
+            assert_eq!(sorted(&turned), sorted(&frame));
+            orders.insert(turned.to_string());
+        }
+        assert!(orders.len() > 30, "{}", orders.len());
+    }
+
+    #[test]
+    fn a_frame_of_another_kind_holds_the_expected_kind_within_before_its_own() {
+        let harvest = Harvest::default();
+        let stimulus = object([("t", literal("1.0"))]);
+        let frame = object([("kind", text("stimulus_frame")), ("stimulus", stimulus)]);
+        let is_drawn = |number: &u64| {
+            let mut frame = frame.clone();
+            wrong_value(&mut frame, &mut Draw::new(3, *number, &harvest));
+            let within = frame.get("stimulus").and_then(|inner| inner.get("kind")).and_then(Json::as_str);
+            let own = frame.get("kind").and_then(Json::as_str);
+            within == Some("stimulus_frame") && own != within
+        };
+        let drawn = (0..4000).filter(is_drawn).count();
+        assert!(drawn > 10, "{drawn}");
     }
 }

@@ -31,7 +31,7 @@ impl Swarm {
     pub(super) fn draw(draw: &mut Draw<'_>, frame: bool) -> Self {
         let most = if draw.chance(6) { draw.size(8, 4096) } else { draw.size(0, 8) };
         Self {
-            present: draw.one(&[0, 30, 70, 100]),
+            present: draw.one(&[0, 10, 30, 70, 100]),
             null: draw.one(&[0, 0, 30]),
             odd_numbers: draw.one(&[0, 30, 100]),
             odd_strings: draw.one(&[0, 20, 100]),
@@ -172,6 +172,8 @@ fn field_value(message: &Message, field: &Field, swarm: &Swarm, draw: &mut Draw<
 /// A value of a type of the tables.
 pub(super) fn value_of(shape: &Shape, swarm: &Swarm, draw: &mut Draw<'_>) -> Tree {
     match shape {
+        // A word of the tables, where any text may stand.
+        Shape::String if draw.chance(10) => text(known_word(draw)),
         Shape::String => text(string(swarm, draw)),
         Shape::Boolean => Json::Bool(draw.chance(50)),
         Shape::Integer => int(if draw.chance(swarm.odd_numbers) { draw.integer() } else { draw.range(0, 9) }),
@@ -179,7 +181,9 @@ pub(super) fn value_of(shape: &Shape, swarm: &Swarm, draw: &mut Draw<'_>) -> Tre
         Shape::Enum(name) => {
             let Some(known) = tables().enumeration(name) else { return text("") };
             let novel = known.unknown == Unknown::Kept && draw.chance(swarm.novel);
-            if novel { text(draw.string()) } else { text(known.strings[draw.below(known.strings.len())].clone()) }
+            // Many that differ, or one of any kind.
+            let word = if draw.chance(40) { format!("u{}", draw.below(5000)) } else { draw.string() };
+            if novel { text(word) } else { text(known.strings[draw.below(known.strings.len())].clone()) }
         }
         Shape::Message(name) => {
             let mut value = object([]);
@@ -194,7 +198,11 @@ pub(super) fn value_of(shape: &Shape, swarm: &Swarm, draw: &mut Draw<'_>) -> Tre
         }
         Shape::List(item) => {
             let numeric = matches!(**item, Shape::Number | Shape::Integer);
-            let most = if numeric && draw.chance(2) { 4 * swarm.most } else { swarm.most.min(4096) };
+            let most = match draw.below(100) {
+                0 if numeric => draw.size(256, 70_000),
+                1 | 2 if numeric => 4 * swarm.most,
+                _ => swarm.most.min(4096),
+            };
             let count = draw.size(0, most);
             let count = draw.afford(count);
             let inner = Swarm { most: if numeric { swarm.most } else { swarm.most.min(3) }, ..*swarm };
@@ -210,7 +218,12 @@ pub(super) fn value_of(shape: &Shape, swarm: &Swarm, draw: &mut Draw<'_>) -> Tre
                 }
                 return list((0..count).map(|_| few[draw.below(few.len())].clone()).collect());
             }
-            list((0..count).map(|_| value_of(item, &inner, draw)).collect())
+            let mut items: Vec<Tree> = Vec::new();
+            for _ in 0..count {
+                let value = like(items.last(), value_of(item, &inner, draw), draw);
+                items.push(value);
+            }
+            list(items)
         }
         Shape::Map(value) => {
             let count = draw.size(0, swarm.most.min(4096));
@@ -220,14 +233,47 @@ pub(super) fn value_of(shape: &Shape, swarm: &Swarm, draw: &mut Draw<'_>) -> Tre
             let prefix = if draw.chance(8) { draw.size(8, 2500) } else { 0 };
             let prefix = "k".repeat(prefix.max(1));
             let backwards = draw.chance(30);
-            let entry = |nth: usize, draw: &mut Draw<'_>| {
+            let mut before: Option<Tree> = None;
+            let mut entry = |nth: usize, draw: &mut Draw<'_>| {
                 let nth = if backwards { count - nth } else { nth };
                 let named = count > 8 && !draw.chance(5) || prefix.len() > 1;
                 let name = if named { format!("{prefix}{nth}") } else { string(swarm, draw) };
-                (name, value_of(value, &inner, draw))
+                let value = like(before.as_ref(), value_of(value, &inner, draw), draw);
+                before = Some(value.clone());
+                (name, value)
             };
             map((0..count).map(|nth| entry(nth, draw)).collect())
         }
+    }
+}
+
+/// A value, or now and then the one before it with a member or two of this one: what differs in no more than that may
+/// be taken for the same.
+fn like(before: Option<&Tree>, value: Tree, draw: &mut Draw<'_>) -> Tree {
+    let (Some(Json::Object(before)), Json::Object(members)) = (before, &value) else { return value };
+    if before.is_empty() || !draw.chance(20) {
+        return value;
+    }
+    let mut alike = Json::Object(before.clone());
+    for _ in 0..draw.below(3) {
+        if let Some((name, value)) = members.get(draw.below(members.len())) {
+            set(&mut alike, name, value.clone());
+        }
+    }
+    alike
+}
+
+/// An enum string, a kind, or the name of a field.
+fn known_word(draw: &mut Draw<'_>) -> String {
+    let tables = tables();
+    if draw.chance(70) {
+        let known = &tables.enums[draw.below(tables.enums.len())];
+        return known.strings[draw.below(known.strings.len())].clone();
+    }
+    let message = &tables.messages[draw.below(tables.messages.len())];
+    match &message.kind {
+        Some(kind) if draw.chance(40) => kind.clone(),
+        _ => message.fields[draw.below(message.fields.len())].name.clone(),
     }
 }
 
@@ -415,5 +461,18 @@ mod tests {
             }
         }
         assert!(read * 100 > drawn_in_all * 95, "{read} of {drawn_in_all}");
+    }
+
+    #[test]
+    fn neighbours_of_a_message_differ_in_a_member_or_none_now_and_then() {
+        let harvest = Harvest::default();
+        let value = |nth: i64| object([("data", list(vec![int(nth)])), ("unit", text(format!("u{nth}")))]);
+        let (before, other) = (value(1), value(2));
+        let drawn: std::collections::HashSet<String> = (0..400)
+            .map(|number| like(Some(&before), other.clone(), &mut Draw::new(3, number, &harvest)).to_string())
+            .collect();
+        for alike in [&before, &other, &object([("data", list(vec![int(1)])), ("unit", text("u2"))])] {
+            assert!(drawn.contains(&alike.to_string()), "{alike}");
+        }
     }
 }

@@ -114,16 +114,19 @@ fn has_usual_numbers(args: &Tree) -> bool {
 pub(crate) const fn weight(call: Call) -> usize {
     match call {
         Call::Describe => 0,
-        Call::PlaneQos | Call::ContractStatus | Call::ContractVerify => 1,
-        Call::Negotiate => 3,
-        Call::ObservationPack | Call::ObservationUnpack | Call::LoopRun => 8,
-        Call::BulkEncode | Call::HorizonMaxLen | Call::SessionRun => 10,
+        Call::PlaneQos => 1,
+        Call::LoopRun | Call::ObservationPack => 8,
+        Call::BulkEncode | Call::SessionRun => 10,
         Call::LinkRun => 12,
-        Call::VersionCheck | Call::KeyBuild | Call::BulkDecode | Call::BufferRun => 16,
+        Call::BulkDecode | Call::BufferRun => 16,
+        Call::ContractStatus | Call::ContractVerify => 20,
         Call::CodecEncode | Call::CodecDecode | Call::ReflexStep | Call::GovernorRun => 20,
-        Call::KeyMatch | Call::ReplyCheck | Call::WatchdogRun => 24,
-        Call::Encode => 40,
+        Call::ReplyCheck | Call::WatchdogRun => 24,
+        Call::Encode | Call::ObservationUnpack | Call::Negotiate => 40,
+        Call::HorizonMaxLen => 60,
         Call::Decode => 100,
+        Call::VersionCheck => 150,
+        Call::KeyBuild | Call::KeyMatch => 200,
     }
 }
 

@@ -15,7 +15,20 @@ fn version_string(draw: &mut Draw<'_>) -> String {
             let digits = draw.size(1, 30);
             format!("{}.{}", "1".repeat(digits), draw.below(9))
         }
-        3 => draw.below(4).to_string(),
+        3 if draw.chance(50) => draw.below(4).to_string(),
+        // As a word of some bits reads it, or does not.
+        3 => {
+            let (major, minor) = (draw.digits(), draw.digits());
+            let zeros = "0".repeat(draw.one(&[0, 0, 0, 1, 20]));
+            let version = match draw.below(4) {
+                0 => format!("{zeros}{major}.5"),
+                1 => format!("0.{zeros}{minor}"),
+                2 => format!("{major}.{minor}"),
+                _ => major,
+            };
+            // What stands behind may be wrong all the same.
+            if draw.chance(75) { version } else { version + draw.pick(&[".", "x", ".5.x", " ", "-", ".0"]) }
+        }
         5 if draw.chance(30) => {
             // Long, with one character that is none of it.
             let mut digits = "0".repeat(draw.size(1, 300));
@@ -83,10 +96,16 @@ pub(super) fn negotiate(draw: &mut Draw<'_>) -> Tree {
 
 /// A segment, valid or not.
 fn any_segment(draw: &mut Draw<'_>) -> String {
-    if draw.chance(70) {
+    if draw.chance(60) {
         return segment(draw);
     }
-    match draw.below(4) {
+    match draw.below(6) {
+        // Nothing, or what ends a line for some.
+        4 => String::new(),
+        5 => {
+            let odd = draw.pick(&["\u{2028}", "\u{2029}", "\u{85}", "\u{a0}", "\u{3000}", "%", "\u{feff}"]);
+            format!("{}{odd}{}", draw.pick(&["", "a"]), draw.pick(&["", "b"]))
+        }
         0 => draw.string(),
         1 => {
             // Of wide letters, one more than fit needs some bytes more.
@@ -97,11 +116,22 @@ fn any_segment(draw: &mut Draw<'_>) -> String {
         2 => {
             let mut segment: Vec<char> = segment(draw).chars().collect();
             let place = draw.below(segment.len() + 1);
+            if draw.chance(40) {
+                segment.insert(
+                    place,
+                    draw.one(&['\u{2028}', '\u{2029}', '\u{85}', '\u{e9}', '%', '\u{3000}', '\u{1f681}']),
+                );
+            }
             let odd = ['/', '*', '$', '#', '?', ' ', '\t', '\n', '\u{b}', '\u{c}', '\r', '@', '.', '\u{0}', '\u{7f}'];
             segment.insert(place, draw.one(&odd));
             segment.into_iter().collect()
         }
-        _ => draw.pick(&[".", "..", "...", "@", "@a", "a@", "", "/", "**", "$*", "~", "%2F", "a.", "É"]).to_owned(),
+        _ => draw
+            .pick(&[
+                ".", "..", "...", "@", "@a", "a@", "", "/", "**", "$*", "~", "%2F", "a.", "É", "0", "00", "sensor",
+                "a/b",
+            ])
+            .to_owned(),
     }
 }
 
@@ -109,9 +139,11 @@ fn any_segment(draw: &mut Draw<'_>) -> String {
 pub(super) fn key_build(menu: &Menu, draw: &mut Draw<'_>) -> Option<Tree> {
     let key = draw.one(menu.keys.get(..).filter(|keys| !keys.is_empty())?);
     let realm = draw.chance(60).then(|| {
-        let parts = if draw.chance(15) { draw.size(1, 40) } else { draw.size(1, 3) };
-        let mut parts: Vec<String> = (0..parts).map(|_| segment(draw)).collect();
-        if draw.chance(50) {
+        let parts = if draw.chance(15) { draw.size(1, 70) } else { draw.size(1, 3) };
+        let is_short = parts > 3 && draw.chance(50);
+        let part = |draw: &mut Draw<'_>| if is_short { draw.name() } else { segment(draw) };
+        let mut parts: Vec<String> = (0..parts).map(|_| part(draw)).collect();
+        for _ in 0..draw.one(&[0, 1, 1, 2]) {
             let place = draw.below(parts.len());
             parts[place] = any_segment(draw);
         }
@@ -316,6 +348,7 @@ pub(super) fn plane(menu: &Menu, draw: &mut Draw<'_>) -> Option<Tree> {
 pub(super) fn horizon(draw: &mut Draw<'_>) -> Tree {
     let is_decimal = draw.chance(25);
     let dt = match is_decimal {
+        true if draw.chance(40) => draw.range(1, 200) as f64,
         true => draw.range(1, 999) as f64 / 10.0,
         false if draw.chance(80) => draw.positive(),
         false => draw.double(),

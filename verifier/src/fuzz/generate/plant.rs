@@ -18,22 +18,46 @@ pub(super) struct Clock {
     exact: bool,
     /// Into how many readings it cuts the time up to a moment that counts, if it does so: then nothing ends before.
     patience: Option<i64>,
+    /// What it read last that is no number, and may read again.
+    stuck: Option<f64>,
 }
+
+/// After so many seconds a clock of some width begins anew: of milliseconds, microseconds or nanoseconds, or in single
+/// precision.
+pub(super) const WRAPS: [f64; 11] = [
+    65.536,
+    2_147.483_648,
+    4_294.967_296,
+    2_147_483.648,
+    4_294_967.296,
+    2.147_483_648,
+    4.294_967_296,
+    16_777.216,
+    2_147_483_648.0,
+    4_294_967_296.0,
+    9_007_199_254.740_992,
+];
 
 impl Clock {
     pub(super) fn draw(draw: &mut Draw<'_>) -> Self {
         let now = draw.one(&[0.0, 1.0, 10.0, 1000.0, -5.0, 1e6, 1.7e9, 4_503_599_627_370_496.0]);
         // A decimal whose milliseconds round, though the differences of such times may not.
         let now = if draw.chance(20) { draw.range(0, 400) as f64 / 100.0 } else { now };
+        // Near where a narrow one wraps.
+        let now = if draw.chance(12) { draw.one(&WRAPS) - draw.range(1, 64) as f64 / 64.0 } else { now };
         let patience = if draw.chance(12) { Some(draw.one(&[3, 9, 13, 45, 99])) } else { None };
-        Self { now, odd: draw.one(&[0, 0, 5]), exact: draw.chance(80), patience }
+        Self { now, odd: draw.one(&[0, 0, 5]), exact: draw.chance(80), patience, stuck: None }
     }
 
     /// A later time: `span` after a moment that counts, or just before or behind that.
     pub(super) fn tick(&mut self, from: f64, span_ms: f64, draw: &mut Draw<'_>) -> f64 {
         if draw.chance(self.odd) {
             return match draw.below(4) {
-                0 => draw.strange(),
+                0 => {
+                    let strange = self.stuck.filter(|_| draw.chance(60)).unwrap_or_else(|| draw.strange());
+                    self.stuck = Some(strange);
+                    strange
+                }
                 1 => {
                     self.now = from - 1.0;
                     self.now
@@ -392,12 +416,27 @@ mod tests {
         let (mut met, mut most) = (0, 0);
         for number in 0..400 {
             let mut draw = Draw::new(3, number, &harvest);
-            let mut clock = Clock { now: 2.0, odd: 0, exact: false, patience: Some(45) };
+            let mut clock = Clock { now: 2.0, odd: 0, exact: false, patience: Some(45), stuck: None };
             let readings: Vec<f64> = (0..60).map(|_| clock.tick(2.0, 1000.0, &mut draw)).collect();
             let before = readings.iter().take_while(|now| **now < 3.0).count();
             met += usize::from(readings.get(before) == Some(&3.0));
             most = most.max(before);
         }
         assert!(met > 50 && most >= 45, "{met} {most}");
+    }
+
+    #[test]
+    fn a_clock_begins_just_before_a_narrow_one_wraps_and_reads_the_same_strange_time_again() {
+        let harvest = Harvest::default();
+        let (mut wraps, mut again) = (0, 0);
+        for number in 0..2000 {
+            let mut draw = Draw::new(3, number, &harvest);
+            let mut clock = Clock::draw(&mut draw);
+            wraps += usize::from(WRAPS.iter().any(|wrap| *wrap > clock.now && *wrap - clock.now <= 1.0));
+            clock.odd = 100;
+            let read: Vec<f64> = (0..12).map(|_| clock.tick(1.0, 100.0, &mut draw)).collect();
+            again += usize::from(read.iter().filter(|now| **now == f64::NEG_INFINITY).count() > 1);
+        }
+        assert!(wraps > 100 && again > 100, "{wraps} {again}");
     }
 }

@@ -24,6 +24,10 @@ pub(super) struct Shapes {
     strange: u64,
     /// How often the unit is left out.
     unitless: u64,
+    /// How often all of a tick stands still, of a hundred.
+    still: u64,
+    /// How often a field that has a default is left out, of a hundred.
+    absent: u64,
     /// How fast it goes, m/s, if that is not any number.
     speed: Option<f64>,
     frame_id: String,
@@ -40,7 +44,7 @@ impl Shapes {
             2 => &["active", "active", "hold", "init", "active", "active", "active", "estop"],
             _ => &["active", "active", "active", "hold"],
         };
-        let longest = if draw.chance(5) { draw.size(16, 4096) } else { draw.size(1, 12) };
+        let longest = if draw.chance(3) { draw.size(16, 4096) } else { draw.size(1, 12) };
         Self {
             modes: modes.to_vec(),
             horizons: draw.one(&[0, 30, 100]),
@@ -51,6 +55,8 @@ impl Shapes {
             odd: draw.one(&[0, 0, 10]),
             strange: draw.one(&[0, 0, 0, 5]),
             unitless: draw.one(&[0, 0, 50]),
+            still: draw.one(&[0, 0, 10, 60]),
+            absent: draw.one(&[0, 0, 0, 12]),
             speed: if draw.chance(75) { Some(draw.one(&[0.5, 1.0, 2.0, 5.0, 10.0])) } else { None },
             frame_id: if draw.chance(30) { draw.string() } else { "world".to_owned() },
             ttl: (0..3).map(|_| ttl(draw)).collect(),
@@ -60,6 +66,9 @@ impl Shapes {
 
     /// The same where JSON frames are given, which have no word for a number that is not finite.
     fn velocity(&self, draw: &mut Draw<'_>) -> Vec<f64> {
+        if draw.chance(self.still) {
+            return vec![draw.one(&[0.0, 0.0, -0.0]); 3];
+        }
         if let Some(speed) = self.speed
             && draw.chance(12)
         {
@@ -85,7 +94,9 @@ impl Shapes {
             data[at] = draw.strange();
         }
         if draw.chance(self.odd) {
-            data.truncate(draw.below(3));
+            // More, too, by as many as one byte or two do not count.
+            let width = draw.one(&[0, 1, 2, 2, 4, 6, 256, 259]);
+            data.resize(if width < 3 || draw.chance(40) { width } else { 4 }, 0.0);
         }
         data
     }
@@ -190,12 +201,24 @@ pub(super) fn command(shapes: &mut Shapes, seq: i64, draw: &mut Draw<'_>) -> Tre
         ("ttl_ms", num(ttl)),
         ("channels", shapes.tick(draw)),
     ]);
+    if let Json::Object(members) = &mut command {
+        members.retain(|(name, _)| name == "channels" || !draw.chance(shapes.absent));
+    }
     if draw.chance(shapes.horizons) {
         let count = draw.size(1, shapes.longest);
         let count = draw.afford(count).max(1);
         // Long horizons of few different steps are quick to draw.
-        let kinds: Vec<Tree> = (0..count.min(6)).map(|_| shapes.tick(draw)).collect();
-        let horizon = (0..count).map(|_| kinds[draw.below(kinds.len())].clone()).collect();
+        let mut kinds: Vec<Tree> = Vec::new();
+        for _ in 0..count.min(6) {
+            let kind = match (kinds.last(), command.get("channels")) {
+                (Some(before), _) | (None, Some(before)) if draw.chance(25) => nearly_the_same(before, draw),
+                _ => shapes.tick(draw),
+            };
+            kinds.push(kind);
+        }
+        let in_order = draw.chance(50);
+        let nth = |nth: usize, draw: &mut Draw<'_>| if in_order { nth % kinds.len() } else { draw.below(kinds.len()) };
+        let horizon = (0..count).map(|step| kinds[nth(step, draw)].clone()).collect();
         set(&mut command, "horizon", list(horizon));
         let dt = if draw.chance(shapes.bad_dt) {
             draw.one(&[0.0, -1.0, -0.0, f64::NAN, f64::INFINITY])
@@ -212,6 +235,34 @@ pub(super) fn command(shapes: &mut Shapes, seq: i64, draw: &mut Draw<'_>) -> Tre
     command
 }
 
+/// The same channels, but for a unit, a number or a channel: what differs in no more may be taken for the same.
+fn nearly_the_same(channels: &Tree, draw: &mut Draw<'_>) -> Tree {
+    let mut channels = channels.clone();
+    let Json::Object(members) = &mut channels else { return channels };
+    if members.is_empty() {
+        return channels;
+    }
+    let at = draw.below(members.len());
+    match draw.below(4) {
+        0 => drop(members.remove(at)),
+        1 => set(&mut members[at].1, "unit", or_null(draw.one(&[Some("m/s"), Some("rad"), None]).map(text))),
+        2 => {
+            let data = crate::fuzz::tree::items(members[at].1.get("data"));
+            let stopped = nums(&vec![0.0; data.len()]);
+            set(&mut members[at].1, "data", stopped);
+        }
+        _ => {
+            let mut data = crate::fuzz::tree::items(members[at].1.get("data")).to_vec();
+            if !data.is_empty() {
+                let place = draw.below(data.len());
+                data[place] = num(draw.plain());
+            }
+            set(&mut members[at].1, "data", list(data));
+        }
+    }
+    channels
+}
+
 /// The limits of a governor.
 struct Limits {
     speed: Option<f64>,
@@ -226,7 +277,7 @@ impl Limits {
             0 | 1 => None,
             2 => Some(draw.one(&[0.0, -0.0])),
             3 => Some(draw.positive()),
-            4 if draw.chance(20) => Some(draw.one(&[-1.0, -5e-324, f64::NAN, f64::INFINITY, f64::NEG_INFINITY])),
+            4 if draw.chance(40) => Some(draw.one(&[-1.0, -5e-324, f64::NAN, f64::INFINITY, f64::NEG_INFINITY])),
             _ => Some(draw.one(&[0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 100.0])),
         };
         let (speed, fence) = (limit(draw), limit(draw));
@@ -368,7 +419,7 @@ pub(super) fn governor(draw: &mut Draw<'_>) -> Tree {
         shapes.speed = Some(speed);
     }
     let count = steps(draw, 2000);
-    let count = if shapes.longest > 64 { count.min(12) } else { count };
+    let count = if shapes.longest > 64 { count.min((8192 / shapes.longest).clamp(3, 12)) } else { count };
     let (odd, strange) = (draw.one(&[0, 0, 10]), draw.one(&[0, 0, 0, 4]));
     let (links, bursts, resets) = (draw.one(&[0, 10, 30]), draw.one(&[0, 0, 20]), draw.one(&[0, 0, 2, 10]));
     let (no_sensor, same) = (draw.one(&[0, 0, 10]), draw.one(&[0, 0, 30]));
@@ -397,7 +448,11 @@ pub(super) fn governor(draw: &mut Draw<'_>) -> Tree {
         let span = if draw.chance(90) { timeout.min(timeout * 0.5) } else { timeout };
         let now = clock.tick(sensed, span, draw);
         let sensor = (!draw.chance(no_sensor)).then(|| sensor(limits.fence, last, odd, strange, draw));
-        let told = if draw.chance(no_sensor) { Json::Null } else { num(sensed) };
+        let told = match draw.below(100) {
+            _ if draw.chance(no_sensor) => Json::Null,
+            0 | 1 if strange > 0 => num(draw.strange()),
+            _ => num(sensed),
+        };
         // The same question again has the same answer.
         if let Some(before) = before.clone().filter(|_| draw.chance(same)) {
             return before;
@@ -493,7 +548,9 @@ pub(super) fn control_loop(draw: &mut Draw<'_>) -> Tree {
     let (ticks, resets) = (draw.one(&[30, 50, 70]), draw.one(&[0, 0, 3]));
     let stamped = draw.chance(80);
     let mut clock = Clock::draw(draw);
-    let (mut seq, mut sensed) = (1, clock.now);
+    // Seqs may be negative, too.
+    let least = draw.one(&[1, 1, 1, -4]);
+    let (mut seq, mut sensed) = (least, clock.now);
     let gaps = draw.one(&[0, 0, 5, 30]);
     let (odd, same) = (draw.one(&[0, 0, 10]), draw.one(&[0, 0, 20, 60]));
     // How far the times of frames are apart: an eighth of a second as a rule, or less than a coarse clock tells.
@@ -519,7 +576,7 @@ pub(super) fn control_loop(draw: &mut Draw<'_>) -> Tree {
             return object([("op", text("sensor")), ("sensor", before), ("now_s", num(now))]);
         }
         sensed = now;
-        seq = if draw.chance(gaps) { (seq + draw.range(-3, 40)).max(1) } else { seq + 1 };
+        seq = if draw.chance(gaps) { (seq + draw.range(-3, 40)).max(least) } else { seq + 1 };
         let mut sensor = sensor(limits.fence, seq, odd, 0, draw);
         if !stamped {
             set(&mut sensor, "seq", int(0));
@@ -545,4 +602,30 @@ pub(super) fn control_loop(draw: &mut Draw<'_>) -> Tree {
     });
     let steps = list(steps.collect());
     object([("period_ms", num(period)), ("limits", limits.tree()), ("config", config), ("steps", steps)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::harvest::Harvest;
+
+    #[test]
+    fn steps_of_a_horizon_differ_in_a_unit_alone_and_a_command_leaves_out_what_has_a_default() {
+        let harvest = Harvest::default();
+        let (mut of_units, mut without_mode) = (0, 0);
+        for number in 0..3000 {
+            let mut draw = Draw::new(3, number, &harvest);
+            let mut shapes = Shapes::draw(&mut draw);
+            let command = command(&mut shapes, 1, &mut draw);
+            without_mode += usize::from(command.get("mode").is_none());
+            let steps = crate::fuzz::tree::items(command.get("horizon"));
+            let unit = |step: &Tree| step.get("velocity_setpoint").and_then(|own| own.get("unit")).cloned();
+            let data = |step: &Tree| step.get("velocity_setpoint").and_then(|own| own.get("data")).cloned();
+            let differ = |two: &[Tree]| {
+                data(&two[0]).is_some() && data(&two[0]) == data(&two[1]) && unit(&two[0]) != unit(&two[1])
+            };
+            of_units += usize::from(steps.windows(2).any(differ));
+        }
+        assert!(of_units > 20 && without_mode > 20, "{of_units} {without_mode}");
+    }
 }

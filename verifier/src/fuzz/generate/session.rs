@@ -255,7 +255,12 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     let mut kinds = Vec::new();
     let mut open_now = std::collections::HashSet::new();
     // What is long shows little that what is short does not; so a few are long, and the time goes into many.
-    let mut left = draw.one(&[2e3, 2e3, 2e3, 2e3, 2e3, 2e3, 1e4, 1e4, 5e4, BEARABLE]);
+    let mut left = match draw.below(40) {
+        0 => BEARABLE,
+        1..=2 => 5e4,
+        3..=8 => 1e4,
+        _ => 2e3,
+    };
     let mut weights: BTreeMap<String, f64> = BTreeMap::new();
     let (mut opened, again): (Option<Tree>, u64) = (None, draw.one(&[0, 0, 40, 100]));
     for nth in 0..count {
@@ -315,7 +320,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         };
         let frame = if draw.chance(versions) { of_other_version(frame, draw) } else { frame };
         let written = if draw.chance(odd) {
-            match draw.below(5) {
+            match draw.below(7) {
                 // What every request has, in another type: a server that looks at the rest alone would do it.
                 4 => {
                     let mut frame = frame;
@@ -323,6 +328,20 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
                         (draw.pick(&["ncp_version", "session_id"]), draw.pick(&["null", "5", "[]", "{}"]));
                     set(&mut frame, name, literal(value));
                     frame.to_string()
+                }
+                // An id that is none, the longest of which may not fit where it is echoed.
+                5 => {
+                    let mut frame = frame;
+                    let long = draw.size(257, 2000);
+                    let ids = ["", ".", "..", "a/b", "a*", "@a", "a b", "a\n", "\u{7f}"];
+                    let id = if draw.chance(40) { draw.letters(long) } else { draw.pick(&ids).to_owned() };
+                    set(&mut frame, "session_id", text(id));
+                    frame.to_string()
+                }
+                // Blanks that are none, about it.
+                6 => {
+                    let blank = draw.pick(&["\u{b}", "\u{c}", "\u{0}", "\u{a0}", "\u{85}", "\u{2028}", " "]);
+                    if draw.chance(50) { format!("{frame}{blank}") } else { format!("{blank}{frame}{blank}") }
                 }
                 0 => draw.pick(&["", "{}", "[]", "null", "\u{feff}", "{\"kind\":\"sensor_frame\"}", "x"]).to_owned(),
                 1 => {

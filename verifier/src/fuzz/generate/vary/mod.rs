@@ -34,11 +34,13 @@ use std::collections::{BTreeMap, HashSet};
 
 use super::corrupt::{unknown, wild};
 use super::mutate::value;
+use super::plant::WRAPS;
 use super::{Draw, Menu, Tree};
 use crate::fuzz::draw::LARGEST;
 use crate::fuzz::rules::fnv;
 use crate::fuzz::tree::{
-    MAPS, Step, at, at_mut, double, int, integer, items, literal, name_at, num, own, places, set, spelled, string, text,
+    MAPS, Step, at, at_mut, double, int, integer, items, literal, name_at, num, own, places, set, size, spelled,
+    string, text,
 };
 use crate::json::Json;
 use crate::peer::Call;
@@ -110,13 +112,12 @@ impl Seeds {
                 None => SINGLE,
             };
             let way = draw.one(ways);
-            let before = varied.args.clone();
             let by_another_road = way.takes_of_another() && draw.chance(25);
             let other = if by_another_road { self.of_kin(call, draw).unwrap_or(other) } else { other };
             let much = way.take(&mut varied.args, other, draw);
             // A request that names a member twice is none.
-            if varied.args.to_string().len() > LARGE || repeats(&varied.args) {
-                varied.args = before;
+            if size(&varied.args) > LARGE || repeats(&varied.args) {
+                varied = Varied { args: seed.clone(), keys: Vec::new() };
                 continue;
             }
             varied.keys.push(fnv(rule, &format!("{way:?} {}", (much + 1).ilog2())));
@@ -248,7 +249,14 @@ impl Way {
                 (base.unsigned_abs() + 1).ilog2() as usize
             }
             Self::Clock => {
-                let by = draw.one(&[-1000.0, 1024.0, 1e6, 1.7e9, 2_147_483_648.0, 4_294_967_296.0, 1.7e12, 1e13]);
+                let mut by = draw.one(&[-1000.0, 1024.0, 1e6, 1.7e9, 2_147_483_648.0, 4_294_967_296.0, 1.7e12, 1e13]);
+                if draw.chance(50) {
+                    // A clock of some width wraps between two of the steps, or at one.
+                    let clocks: Vec<f64> =
+                        steps_of(args).into_iter().flatten().filter_map(|step| clock_of(step)).collect();
+                    let at = clocks.get(draw.below(clocks.len())).copied().unwrap_or(0.0);
+                    by = draw.one(&WRAPS) - at + draw.one(&[0.0, -0.001, 0.001, 1e-6]);
+                }
                 each_double(args, &mut |name, value| CLOCKS.contains(&name).then_some(value + by));
                 1
             }
@@ -363,6 +371,8 @@ fn pump(args: &mut Tree, other: Option<&Tree>, draw: &mut Draw<'_>) -> usize {
     let bytes: usize = block.iter().map(|step| step.to_string().len()).sum();
     let (count, room) = match draw.giant() {
         Some(count) => (count, LARGE / 2),
+        // As many as a byte counts, and one more or less.
+        None if draw.chance(8) => ((draw.one(&[127, 255, 255, 255, 511]) + draw.below(3)) / block.len(), 600_000),
         None if draw.chance(5) => (draw.size(1, 4000 / block.len()), 600_000),
         None => (draw.size(1, 320 / block.len()), 120_000),
     };
