@@ -111,7 +111,13 @@ fn any_segment(draw: &mut Draw<'_>) -> String {
             // Of wide letters, one more than fit needs some bytes more.
             let more = draw.below(10);
             let length = draw.one(&[255, 256, 257, 256 + more, 256 + 10 * more, 256 + 60 * more, 1000]);
-            draw.letters(length)
+            let mut letters = draw.letters(length);
+            if draw.chance(40) {
+                // With what a refusal that quotes it may stumble over.
+                let odd = draw.pick(&["%", "%s", "{}", "{0}", "\\", "\"", "\n", "\0", "\u{85}", "/", "*"]);
+                letters.insert_str(0, odd);
+            }
+            letters
         }
         2 => {
             let mut segment: Vec<char> = segment(draw).chars().collect();
@@ -175,7 +181,13 @@ pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
     let long = draw.letters(long);
     let longer = format!("{long}1");
     let alphabet = ["a", "b", "ab", "aab", "@a", "session", "x.y", "aaaa", "é", "abab", "@ab", long.as_str(), &longer];
-    let alphabet = if draw.chance(20) { &alphabet[..] } else { &alphabet[..11] };
+    let alphabet = match draw.below(10) {
+        0 | 1 => &alphabet[..],
+        // So few that one chunk fits in many places, and a matcher has to try again.
+        2..=4 => &alphabet[..2],
+        5 => &alphabet[..5],
+        _ => &alphabet[..11],
+    };
     let count = if draw.chance(20) { draw.size(1, 70) } else { draw.size(1, 6) };
     let (repeats, odd, controls) = (draw.one(&[0, 0, 50]), draw.one(&[0, 0, 40]), draw.one(&[0, 0, 0, 30]));
     let chunk = |draw: &mut Draw<'_>| {

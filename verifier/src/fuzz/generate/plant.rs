@@ -40,7 +40,7 @@ pub(super) const WRAPS: [f64; 11] = [
 
 impl Clock {
     pub(super) fn draw(draw: &mut Draw<'_>) -> Self {
-        let now = draw.one(&[0.0, 1.0, 10.0, 1000.0, -5.0, 1e6, 1.7e9, 4_503_599_627_370_496.0]);
+        let now = draw.one(&[0.0, 1.0, 10.0, 1000.0, -5.0, -1.0, 1e6, 1.7e9, 4_503_599_627_370_496.0]);
         // A decimal whose milliseconds round, though the differences of such times may not.
         let now = if draw.chance(20) { draw.range(0, 400) as f64 / 100.0 } else { now };
         // Near where a narrow one wraps.
@@ -325,6 +325,8 @@ pub(super) fn link(draw: &mut Draw<'_>) -> Tree {
         if draw.chance(50) { Json::Null } else { num(if draw.chance(60) { draw.share() } else { draw.double() }) };
     let threshold =
         if draw.chance(50) { Json::Null } else { num(if draw.chance(60) { draw.positive() } else { draw.double() }) };
+    // Of a burst of thousands.
+    let threshold = if draw.chance(8) { num(draw.size(16, 1 << 20) as f64 + 0.5) } else { threshold };
     // Or so that one loss makes a burst, which few deliveries of a small usual loss end.
     let is_small = draw.chance(10);
     let (ref_loss, threshold) = if is_small {
@@ -341,7 +343,13 @@ pub(super) fn link(draw: &mut Draw<'_>) -> Tree {
     // A gap as wide as what a monitor has to remember, out of which some come late, in any order.
     let gap = if !is_small && draw.chance(10) { draw.range(4000, 4100) } else { 0 };
     let first = next.clamp(1, 1 << 50);
+    // Every second one is lost, for long.
+    let is_sparse = gap == 0 && !is_small && draw.length().is_none() && draw.chance(6);
+    let count = if is_sparse { count.max(draw.size(40, 5000)) } else { count };
     let steps = (0..count).map(|nth| {
+        if is_sparse && draw.chance(99) {
+            next = next.saturating_add(1);
+        }
         let seq = if gap > 0 && nth > 1 && draw.chance(60) {
             let far = if draw.chance(50) { gap } else { 8 };
             let back = draw.range(0, far);

@@ -584,6 +584,15 @@ pub(super) fn control_loop(draw: &mut Draw<'_>) -> Tree {
                 set(&mut sensor, "t", num(1.0 + seq as f64 * apart));
             }
         }
+        // At the same place, and not as fast.
+        if let (Some(before), Some(_)) = (&before, sensor.get("channels"))
+            && draw.chance(same / 2)
+        {
+            let mut channels = before.get("channels").cloned().unwrap_or(Json::Null);
+            let velocity: Vec<f64> = (0..3).map(|_| draw.range(-16, 16) as f64 / 8.0).collect();
+            set(&mut channels, "pose_velocity", sample(&velocity, text("m/s")));
+            set(&mut sensor, "channels", channels);
+        }
         before = Some(sensor.clone());
         if draw.chance(judged) {
             let radius = radius(limits.fence);

@@ -97,6 +97,13 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
         ids.dedup();
         match draw.below(4) {
             0 => ids.reverse(),
+            // A range at its ends alone.
+            2 if neurons > 4 && draw.chance(40) => {
+                let count = draw.size(4, neurons.min(most));
+                let first = 1 + draw.below(neurons - count + 1);
+                ids = (first..first + count).collect();
+                (1..count - 1).for_each(|at| ids.swap(at, 1 + draw.below(count - 2)));
+            }
             1 => {
                 let middle = draw.below(ids.len() + 1);
                 ids.rotate_left(middle);
@@ -246,7 +253,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     // All that have an id are opened, and the first of them is asked behind them.
     let count = steps(draw, most).min(most).max(if script.ids.len() > 20 { script.ids.len() + 4 } else { 0 });
     let is_strict = menu.strict && draw.chance(20);
-    let versions = if is_strict { draw.one(&[0, 10, 30]) } else { 0 };
+    let versions = draw.one(&[0, 0, 10, 30]);
     let has_verbs = is_strict && draw.chance(50);
     let (odd, closes) = (draw.one(&[0, 0, 10, 30]), draw.one(&[3, 10, 30]));
     // Sessions that fail again and again, and go on all the same.
