@@ -327,7 +327,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         };
         let frame = if draw.chance(versions) { of_other_version(frame, draw) } else { frame };
         let written = if draw.chance(odd) {
-            match draw.below(7) {
+            match draw.below(6) {
                 // What every request has, in another type: a server that looks at the rest alone would do it.
                 4 => {
                     let mut frame = frame;
@@ -344,11 +344,6 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
                     let id = if draw.chance(40) { draw.letters(long) } else { draw.pick(&ids).to_owned() };
                     set(&mut frame, "session_id", text(id));
                     frame.to_string()
-                }
-                // Blanks that are none, about it.
-                6 => {
-                    let blank = draw.pick(&["\u{b}", "\u{c}", "\u{0}", "\u{a0}", "\u{85}", "\u{2028}", " "]);
-                    if draw.chance(50) { format!("{frame}{blank}") } else { format!("{blank}{frame}{blank}") }
                 }
                 0 => draw.pick(&["", "{}", "[]", "null", "\u{feff}", "{\"kind\":\"sensor_frame\"}", "x"]).to_owned(),
                 1 => {
